@@ -1,0 +1,33 @@
+// raycore/mesh.h - triangles as they come in, and what is wrong with them.
+//
+// Bad input  a triangle with an index out of range, a vertex that is NaN or infinite, or no area is dropped
+//            and counted; queries never meet it and primitive ids of the others do not change.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include <glm/vec3.hpp>
+
+namespace rc {
+
+// Borrowed: valid while the caller's arrays are. At most 2^31 - 1 triangles and as many vertices.
+struct MeshView {
+    std::span<const glm::vec3> positions;
+    std::span<const glm::uvec3> triangles;
+};
+
+struct MeshReport {
+    std::size_t triangles = 0;  // given
+    std::size_t index_out_of_range = 0;
+    std::size_t not_finite = 0;
+    std::size_t zero_area = 0;
+
+    [[nodiscard]] std::size_t dropped() const { return index_out_of_range + not_finite + zero_area; }
+    [[nodiscard]] std::size_t kept() const { return triangles - dropped(); }
+};
+
+// Counts what a build would drop, each triangle under the first reason that applies, in the order above.
+[[nodiscard]] MeshReport check_mesh(const MeshView& mesh);
+
+}  // namespace rc

@@ -1,0 +1,29 @@
+# A room is a folder of game/ and one static library: every .cpp in it, nothing else.
+#   add_room(sense LINKS gh_world)      ->  library gh_sense from game/sense/*.cpp
+#   add_room_tests(sense LABELS unit)   ->  program sense_tests from tests/sense/*.cpp, one ctest entry a test
+
+function(add_room name)
+    cmake_parse_arguments(ROOM "" "" "LINKS;PRIVATE" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/game/${name}/*.cpp)
+    if(sources)
+        add_library(gh_${name} STATIC ${sources})
+        target_include_directories(gh_${name} PUBLIC ${CMAKE_SOURCE_DIR}/game)
+        target_link_libraries(gh_${name} PUBLIC project_options ${ROOM_LINKS} PRIVATE ${ROOM_PRIVATE})
+    else()  # headers alone
+        add_library(gh_${name} INTERFACE)
+        target_include_directories(gh_${name} INTERFACE ${CMAKE_SOURCE_DIR}/game)
+        target_link_libraries(gh_${name} INTERFACE project_options ${ROOM_LINKS})
+    endif()
+endfunction()
+
+function(add_room_tests name)
+    cmake_parse_arguments(T "" "" "LABELS;LINKS" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${name}/*.cpp)
+    if(NOT sources)
+        return()
+    endif()
+    add_executable(${name}_tests ${sources})
+    target_link_libraries(${name}_tests PRIVATE project_options test_support GTest::gtest_main ${T_LINKS})
+    target_compile_definitions(${name}_tests PRIVATE GLASSHOUSE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+    gtest_discover_tests(${name}_tests PROPERTIES LABELS "${T_LABELS}" DISCOVERY_TIMEOUT 60)
+endfunction()
