@@ -1,0 +1,15 @@
+// world/layers.h - who meets what: one bit of an instance's mask each.
+#pragma once
+
+#include "raycore/ray.h"
+
+namespace gh::world {
+
+inline constexpr rc::LayerMask Light = 1u << 0;  // drawn, and casts shadows
+inline constexpr rc::LayerMask Sight = 1u << 1;  // stops a creature's look (glass does not)
+inline constexpr rc::LayerMask Sound = 1u << 2;  // takes its share of a sound that crosses it
+inline constexpr rc::LayerMask Solid = 1u << 3;  // stops feet and stones
+
+inline constexpr rc::LayerMask kEverything = Light | Sight | Sound | Solid;
+
+}  // namespace gh::world
