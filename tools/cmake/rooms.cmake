@@ -1,10 +1,11 @@
-# A room is a folder of game/ and one static library: every .cpp in it, nothing else.
+# A room is a folder of game/ and one static library: every .cpp in it but main.cpp, nothing else.
 #   add_room(sense LINKS gh_world)      ->  library gh_sense from game/sense/*.cpp
 #   add_room_tests(sense LABELS unit)   ->  program sense_tests from tests/sense/*.cpp, one ctest entry a test
 
 function(add_room name)
     cmake_parse_arguments(ROOM "" "" "LINKS;PRIVATE" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/game/${name}/*.cpp)
+    list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
     if(sources)
         add_library(gh_${name} STATIC ${sources})
         target_include_directories(gh_${name} PUBLIC ${CMAKE_SOURCE_DIR}/game)

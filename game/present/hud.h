@@ -1,0 +1,66 @@
+// present/hud.h - what the player reads while playing. Plain data in, drawing out; it decides nothing.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace gh::present {
+
+class Window;
+
+enum class Mood : std::uint8_t { Calm, Suspicious, Searching, Chasing };
+
+// What one guard knows, as a mark round the middle of the picture.
+struct GuardMark {
+    float bearing = 0.0f;    // radians from straight ahead, positive to the right
+    float suspicion = 0.0f;  // share of the way to the next mood, 0..1
+    float distance = 0.0f;   // metres
+    Mood mood = Mood::Calm;
+    std::string cue;         // "saw you in a mirror", "heard you": why it rose
+};
+
+struct Caption {
+    std::string text;
+    float age = 0.0f;  // seconds
+    float bearing = 0.0f;
+    bool has_bearing = false;
+};
+
+struct HudModel {
+    float exposure = 0.0f;   // the very number the guards weigh, 0..1
+    float noise = 0.0f;      // 0 silent .. 1 loud
+    bool is_crouched = false;
+    bool is_running = false;
+    int stones_left = 0;
+    int lenses_taken = 0;
+    int lenses_total = 0;
+    float aim = 0.0f;                 // how far the throw is drawn, 0: not aiming
+    std::vector<glm::vec2> throw_arc;  // picture coordinates 0..1, x right, y down
+    std::string prompt;               // "Open the door"; empty: nothing in reach
+    std::string room;                 // title of where the player is
+    float room_age = 0.0f;            // seconds since entering it
+    std::vector<GuardMark> guards;
+    std::vector<Caption> captions;
+    std::string headline;             // "Caught", "The lens is yours"; empty while playing
+    std::string subline;
+};
+
+// Between Window::begin_frame and end_frame.
+void draw_hud(const Window& window, const HudModel& model);
+
+// "Door creaks", newest last; at most six that are younger than four seconds stay.
+class Captions {
+  public:
+    void add(Caption caption);
+    void grow_older(float seconds);
+    [[nodiscard]] const std::vector<Caption>& list() const { return captions_; }
+
+  private:
+    std::vector<Caption> captions_;
+};
+
+}  // namespace gh::present

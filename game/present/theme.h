@@ -1,0 +1,23 @@
+// present/theme.h - the museum's colours: ivory on night blue, brass for what matters, red for alarm.
+#pragma once
+
+#include <imgui.h>
+
+#include "present/fonts.h"
+
+namespace gh::present {
+
+inline constexpr ImU32 kIvory = IM_COL32(238, 230, 211, 255);
+inline constexpr ImU32 kBrass = IM_COL32(214, 173, 96, 255);
+inline constexpr ImU32 kAlarm = IM_COL32(226, 84, 66, 255);
+inline constexpr ImU32 kNight = IM_COL32(10, 14, 26, 170);
+inline constexpr ImU32 kDim = IM_COL32(150, 152, 160, 255);
+
+// The same colour, `alpha` in [0, 1] times as opaque.
+[[nodiscard]] ImU32 faded(ImU32 colour, float alpha);
+
+void apply_theme(const Fonts& fonts);
+[[nodiscard]] ImFont* text_font();
+[[nodiscard]] ImFont* heading_font();
+
+}  // namespace gh::present

@@ -1,0 +1,163 @@
+#include "present/window.h"
+
+#include <algorithm>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#define GL_GLEXT_PROTOTYPES
+#include <GL/glcorearb.h>
+#include <imgui.h>
+#include <imgui_impl_glfw.h>
+#include <imgui_impl_opengl3.h>
+
+#include "present/blit.h"
+#include "present/fonts.h"
+#include "present/theme.h"
+
+namespace gh::present {
+
+struct Window::Data {
+    GLFWwindow* window = nullptr;
+    Blit blit;
+    bool has_ui = false;
+    bool is_captured = false;
+    glm::vec2 picture_offset{0.0f};
+    glm::vec2 picture_size{1.0f};
+
+    Data() = default;
+    Data(const Data&) = delete;
+    Data& operator=(const Data&) = delete;
+    ~Data() {
+        if (window != nullptr) {
+            if (has_ui) {
+                ImGui_ImplOpenGL3_Shutdown();
+                ImGui_ImplGlfw_Shutdown();
+                ImGui::DestroyContext();
+            }
+            blit.destroy();
+            glfwDestroyWindow(window);
+        }
+        glfwTerminate();
+    }
+};
+
+namespace {
+
+std::string last_glfw_reason() {
+    const char* reason = nullptr;
+    glfwGetError(&reason);
+    return reason != nullptr ? reason : "no reason given";
+}
+
+GLFWwindow* create_window(const WindowOptions& options) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
+    GLFWmonitor* monitor = options.is_fullscreen ? glfwGetPrimaryMonitor() : nullptr;
+    int width = options.width;
+    int height = options.height;
+    if (monitor != nullptr) {
+        const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+        width = mode->width;
+        height = mode->height;
+    }
+    return glfwCreateWindow(width, height, options.title.c_str(), monitor, nullptr);
+}
+
+}  // namespace
+
+Window::Window(std::unique_ptr<Data> data) : data_(std::move(data)) {}
+Window::Window(Window&&) noexcept = default;
+Window::~Window() = default;
+
+Result<Window> Window::open(const WindowOptions& options) {
+    if (glfwInit() == GLFW_FALSE) return Error{"window: cannot be opened: " + last_glfw_reason()};
+    auto data = std::make_unique<Data>();
+    data->window = create_window(options);
+    if (data->window == nullptr) return Error{"window: OpenGL 3.3 is not to be had here: " + last_glfw_reason()};
+
+    glfwMakeContextCurrent(data->window);
+    glfwSwapInterval(1);
+    glfwSetInputMode(data->window, GLFW_STICKY_KEYS, GLFW_TRUE);  // a tap between two ticks still counts
+    glfwSetInputMode(data->window, GLFW_STICKY_MOUSE_BUTTONS, GLFW_TRUE);
+    if (!data->blit.create()) return Error{"window: the OpenGL driver refused the blit shader"};
+
+    float scale = 1.0f;
+    glfwGetWindowContentScale(data->window, &scale, nullptr);
+    ImGui::CreateContext();
+    data->has_ui = true;
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    const Fonts fonts = load_fonts(std::max(scale, 1.0f));
+    apply_theme(fonts);
+    ImGui_ImplGlfw_InitForOpenGL(data->window, true);
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+    return Window(std::move(data));
+}
+
+void Window::poll_events() {
+    glfwPollEvents();
+    if (data_->is_captured && !has_focus()) capture_cursor(false);
+}
+
+bool Window::wants_to_close() const { return glfwWindowShouldClose(data_->window) != 0; }
+void Window::keep_open() { glfwSetWindowShouldClose(data_->window, GLFW_FALSE); }
+bool Window::has_focus() const { return glfwGetWindowAttrib(data_->window, GLFW_FOCUSED) != 0; }
+GLFWwindow* Window::device() const { return data_->window; }
+bool Window::is_cursor_captured() const { return data_->is_captured; }
+glm::vec2 Window::picture_offset() const { return data_->picture_offset; }
+glm::vec2 Window::picture_size() const { return data_->picture_size; }
+
+glm::ivec2 Window::framebuffer_size() const {
+    int width = 0;
+    int height = 0;
+    glfwGetFramebufferSize(data_->window, &width, &height);
+    return {width, height};
+}
+
+void Window::capture_cursor(bool is_captured) {
+    data_->is_captured = is_captured;
+    glfwSetInputMode(data_->window, GLFW_CURSOR, is_captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+    if (is_captured && glfwRawMouseMotionSupported() != 0) {
+        glfwSetInputMode(data_->window, GLFW_RAW_MOUSE_MOTION, GLFW_TRUE);
+    }
+    ImGuiIO& io = ImGui::GetIO();
+    if (is_captured) {
+        io.ConfigFlags |= ImGuiConfigFlags_NoMouse;
+    } else {
+        io.ConfigFlags &= ~ImGuiConfigFlags_NoMouse;
+    }
+}
+
+void Window::begin_frame(const Image8& picture) {
+    const glm::ivec2 size = framebuffer_size();
+    glViewport(0, 0, size.x, size.y);
+    glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    if (size.x > 0 && size.y > 0 && picture.width > 0 && picture.height > 0) {
+        const float scale = std::min(static_cast<float>(size.x) / static_cast<float>(picture.width),
+                                     static_cast<float>(size.y) / static_cast<float>(picture.height));
+        const glm::ivec2 shown(static_cast<int>(static_cast<float>(picture.width) * scale + 0.5f),
+                               static_cast<int>(static_cast<float>(picture.height) * scale + 0.5f));
+        const glm::ivec2 offset = (size - shown) / 2;
+        data_->picture_offset = glm::vec2(offset);
+        data_->picture_size = glm::vec2(shown);
+        data_->blit.upload(picture);
+        data_->blit.draw(offset, shown);
+    }
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+}
+
+void Window::end_frame() {
+    ImGui::Render();
+    const glm::ivec2 size = framebuffer_size();
+    if (size.x > 0 && size.y > 0) ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    glfwSwapBuffers(data_->window);
+}
+
+}  // namespace gh::present
