@@ -1,0 +1,55 @@
+// kernels/kernel_abi.h - what the kernels of every ISA share with the rest of raycore: plain layouts and one table.
+//
+// Kernel files are compiled with -m flags, so they include this, their SIMD header and nothing else: any inline
+// function of a library would be compiled with those flags too and could replace the portable copy at link time.
+#pragma once
+
+#include <cstdint>
+
+namespace rc::kernel {
+
+inline constexpr int kWidth = 8;           // children a node, lanes a triangle block
+inline constexpr int kMaxDepth = 64;       // of a tree; the builder proves it (binned_builder.h)
+inline constexpr int kStackSize = (kWidth - 1) * kMaxDepth + 1;  // siblings waiting at each level, and the root
+inline constexpr int kWordsPerTriangle = 10;  // nine coordinates and the primitive
+inline constexpr int kLeafPadding = 64;       // words readable behind the last block
+
+// A child is a node's index, or a leaf. In a BLAS a leaf is kLeafBit | (count - 1) << 28 | first: its block starts
+// at word first * kWordsPerTriangle. In a TLAS it is kLeafBit | instance. Empty lanes have an inverted box, and
+// name some leaf that exists, so that even a lane let through by mistake leads to a true answer.
+inline constexpr std::uint32_t kLeafBit = 0x80000000u;
+inline constexpr std::uint32_t kLeafFirstMask = 0x0FFFFFFFu;
+inline constexpr std::uint32_t kEmptyTree = 0xFFFFFFFFu;
+
+struct alignas(64) WideNode {
+    float bounds[6][kWidth];  // min x, max x, min y, max y, min z, max z
+    std::uint32_t child[kWidth];
+    std::uint32_t layers[kWidth];  // TLAS: layers met below; BLAS: unused
+};
+static_assert(sizeof(WideNode) == 256);
+
+// A block of n <= 8 triangles is ten rows of n words: corner 0 x, y, z, corner 1 x, y, z, corner 2 x, y, z, primitive.
+struct BlasView {
+    const WideNode* nodes = nullptr;
+    const float* leaves = nullptr;
+    std::uint32_t root = kEmptyTree;
+    float min[3] = {0, 0, 0};
+    float max[3] = {0, 0, 0};
+};
+
+struct alignas(64) InstanceView {
+    double local_from_world[12];  // rows of three and a translation: found and applied in double
+    BlasView blas;
+    std::uint32_t layers = 0;
+};
+
+struct SceneView {
+    const WideNode* nodes = nullptr;
+    const InstanceView* instances = nullptr;
+    std::uint32_t root = kEmptyTree;
+    float condition = 1.0f;  // the worst norm(world_from_local) * norm(local_from_world) among instances
+    float min[3] = {0, 0, 0};
+    float max[3] = {0, 0, 0};
+};
+
+}  // namespace rc::kernel
