@@ -37,6 +37,7 @@ struct PlayerState {
     std::uint16_t buttons_before = 0;  // so that edges can be told from held keys
     std::uint16_t aim_ticks = 0;       // how long the throw is held
 };
+static_assert(sizeof(PlayerState) == 56);
 
 struct DoorState {
     float angle = 0.0f;  // radians from closed, towards open_angle
@@ -69,8 +70,10 @@ struct Percept {
     float sight = 0.0f;         // lit share of the player's body in plain view, 0..1
     float mirror_sight = 0.0f;  // the same in mirrors
     float heard_db = -120.0f;   // of the loudest noise at the ear, after walls
-    std::uint8_t pad_[4] = {};
+    std::uint8_t is_fresh = 0;  // whether the guard looked in this tick: it does on every fourth
+    std::uint8_t pad_[3] = {};
 };
+static_assert(sizeof(Percept) == 40);
 
 inline constexpr std::size_t kMaxPathCorners = 32;
 
@@ -92,12 +95,17 @@ struct GuardState {
     float clip_time = 0.0f;         // seconds into the clip
     float clip_blend = 1.0f;        // weight of clip over clip_before
     float clip_before_time = 0.0f;
-    float stride = 0.0f;
+    float stride = 0.0f;            // metres since the last footstep
+    std::uint16_t seen_ticks = 0;   // for how long the player is in plain view, without a gap
+    std::uint16_t quiet_ticks = 0;  // since anything was last noticed
+    std::uint16_t searched = 0;     // places looked at in this search
+    std::uint16_t stuck_ticks = 0;  // something is in the way
     Alert alert = Alert::Calm;
     Cue raised_by = Cue::None;
     ClipId clip = ClipId::Stand;
     ClipId clip_before = ClipId::Stand;
 };
+static_assert(sizeof(GuardState) == 524);
 
 enum class NoiseKind : std::uint8_t {
     Footstep, Land, StoneHit, DoorOpen, DoorClose, Switch, MirrorTurn, LensTaken, Bark, GuardStep, Throw,
@@ -139,6 +147,10 @@ struct State {
     std::uint32_t noise_count = 0;
 };
 static_assert(std::is_trivially_copyable_v<State>);
+// No hidden padding anywhere: copies of equal states are equal bytes.
+static_assert(sizeof(State) == 8 + sizeof(PlayerState) + sizeof(RulesState) + sizeof(State::doors) +
+                                   sizeof(State::mirrors) + sizeof(State::group_on) + sizeof(State::lens_taken) +
+                                   sizeof(State::stones) + sizeof(State::guards) + sizeof(State::noises) + 4);
 
 // Whether a lamp shines now.
 [[nodiscard]] inline bool is_lamp_on(const Level& level, const State& state, std::size_t lamp) {
