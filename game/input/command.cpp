@@ -12,7 +12,8 @@ namespace {
 
 constexpr float kRadiansPerUnit = kTwoPi / 65536.0f;
 
-float nearest(float x) {
+// Halves go away from zero, so that left and right are alike.
+float nearest(float x) { return std::copysign(std::floor(std::abs(x) + 0.5f), x); }
     return std::floor(x + 0.5f);
 }
 
