@@ -22,16 +22,20 @@ struct Binding {
 };
 
 constexpr std::array kKeys = {
-    Binding{GLFW_KEY_LEFT_SHIFT, Run},   Binding{GLFW_KEY_LEFT_CONTROL, Crouch}, Binding{GLFW_KEY_C, Crouch},
-    Binding{GLFW_KEY_SPACE, Jump},       Binding{GLFW_KEY_Q, LeanLeft},          Binding{GLFW_KEY_R, LeanRight},
-    Binding{GLFW_KEY_E, Use},            Binding{GLFW_KEY_F, Use},               Binding{GLFW_KEY_G, Throw},
-    Binding{GLFW_KEY_BACKSPACE, Restart},
+    Binding{GLFW_KEY_LEFT_SHIFT, Run}, Binding{GLFW_KEY_LEFT_CONTROL, Crouch},
+    Binding{GLFW_KEY_C, Crouch},       Binding{GLFW_KEY_SPACE, Jump},
+    Binding{GLFW_KEY_Q, LeanLeft},     Binding{GLFW_KEY_R, LeanRight},
+    Binding{GLFW_KEY_E, Use},          Binding{GLFW_KEY_F, Use},
+    Binding{GLFW_KEY_G, Throw},        Binding{GLFW_KEY_BACKSPACE, Restart},
 };
 
 constexpr std::array kPadButtons = {
-    Binding{GLFW_GAMEPAD_BUTTON_A, Jump},          Binding{GLFW_GAMEPAD_BUTTON_B, Crouch},
-    Binding{GLFW_GAMEPAD_BUTTON_X, Use},           Binding{GLFW_GAMEPAD_BUTTON_LEFT_BUMPER, LeanLeft},
-    Binding{GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER, LeanRight}, Binding{GLFW_GAMEPAD_BUTTON_LEFT_THUMB, Run},
+    Binding{GLFW_GAMEPAD_BUTTON_A, Jump},
+    Binding{GLFW_GAMEPAD_BUTTON_B, Crouch},
+    Binding{GLFW_GAMEPAD_BUTTON_X, Use},
+    Binding{GLFW_GAMEPAD_BUTTON_LEFT_BUMPER, LeanLeft},
+    Binding{GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER, LeanRight},
+    Binding{GLFW_GAMEPAD_BUTTON_LEFT_THUMB, Run},
     Binding{GLFW_GAMEPAD_BUTTON_BACK, Restart},
 };
 
@@ -84,8 +88,10 @@ Command Devices::sample(const DeviceSettings& settings, bool is_listening) {
     if (is_listening) {
         turn_head(settings);
         const auto is_down = [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS; };
-        const int right = (is_down(GLFW_KEY_D) || is_down(GLFW_KEY_RIGHT)) - (is_down(GLFW_KEY_A) || is_down(GLFW_KEY_LEFT));
-        const int forward = (is_down(GLFW_KEY_W) || is_down(GLFW_KEY_UP)) - (is_down(GLFW_KEY_S) || is_down(GLFW_KEY_DOWN));
+        const int right = (is_down(GLFW_KEY_D) || is_down(GLFW_KEY_RIGHT)) -
+                          (is_down(GLFW_KEY_A) || is_down(GLFW_KEY_LEFT));
+        const int forward =
+            (is_down(GLFW_KEY_W) || is_down(GLFW_KEY_UP)) - (is_down(GLFW_KEY_S) || is_down(GLFW_KEY_DOWN));
         command.move_right = static_cast<std::int8_t>(right * kMaxMove);
         command.move_forward = static_cast<std::int8_t>(forward * kMaxMove);
         for (const Binding& binding : kKeys) {
@@ -101,7 +107,8 @@ Command Devices::sample(const DeviceSettings& settings, bool is_listening) {
     const bool is_crouch_held = command.is_held(Crouch);
     if (settings.toggles_crouch) {
         if (is_crouch_held && !was_crouch_held_) is_crouched_ = !is_crouched_;
-        command.buttons = static_cast<std::uint16_t>(is_crouched_ ? command.buttons | Crouch : command.buttons & ~Crouch);
+        command.buttons =
+            static_cast<std::uint16_t>(is_crouched_ ? command.buttons | Crouch : command.buttons & ~Crouch);
     }
     was_crouch_held_ = is_crouch_held;
 

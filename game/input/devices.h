@@ -35,7 +35,7 @@ class Devices {
     double cursor_x_ = 0.0;
     double cursor_y_ = 0.0;
     bool knows_cursor_ = false;
-    bool is_crouched_ = false;      // when crouch toggles
+    bool is_crouched_ = false;  // when crouch toggles
     bool was_crouch_held_ = false;
 };
 

@@ -75,9 +75,11 @@ void Blit::upload(const Image8& picture) {
     if (picture.width != width_ || picture.height != height_) {
         width_ = picture.width;
         height_ = picture.height;
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_, height_, 0, format, GL_UNSIGNED_BYTE, picture.bytes.data());
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_, height_, 0, format, GL_UNSIGNED_BYTE,
+                     picture.bytes.data());
     } else {
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, format, GL_UNSIGNED_BYTE, picture.bytes.data());
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, format, GL_UNSIGNED_BYTE,
+                        picture.bytes.data());
     }
 }
 

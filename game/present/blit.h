@@ -1,9 +1,9 @@
 // present/blit.h - one OpenGL texture drawn over a rectangle of the framebuffer.
 #pragma once
 
-#include <glm/vec2.hpp>
-
 #include "base/image.h"
+
+#include <glm/vec2.hpp>
 
 namespace gh::present {
 

@@ -1,10 +1,10 @@
 #include "present/fonts.h"
 
+#include <imgui.h>
+
 #include <array>
 #include <filesystem>
 #include <string>
-
-#include <imgui.h>
 
 namespace gh::present {
 
@@ -27,8 +27,8 @@ ImFont* first_that_exists(std::initializer_list<const char*> names, float size_p
 
 Fonts load_fonts(float scale) {
     Fonts fonts;
-    fonts.text = first_that_exists({"truetype/dejavu/DejaVuSans.ttf", "truetype/liberation/LiberationSans-Regular.ttf",
-                                    "TTF/DejaVuSans.ttf"},
+    fonts.text = first_that_exists({"truetype/dejavu/DejaVuSans.ttf",
+                                    "truetype/liberation/LiberationSans-Regular.ttf", "TTF/DejaVuSans.ttf"},
                                    17.0f * scale);
     fonts.heading = first_that_exists({"opentype/ebgaramond/EBGaramond12-Regular.otf",
                                        "truetype/dejavu/DejaVuSerif.ttf", "TTF/DejaVuSerif.ttf"},

@@ -1,13 +1,13 @@
 #include "present/hud.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
+#include "present/theme.h"
+#include "present/window.h"
 
 #include <imgui.h>
 
-#include "present/theme.h"
-#include "present/window.h"
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 namespace gh::present {
 
@@ -25,11 +25,13 @@ struct Canvas {
     [[nodiscard]] ImVec2 at(float x, float y) const { return {origin.x + x, origin.y + y}; }
 };
 
-void text(const Canvas& canvas, ImFont* font, float size, ImVec2 at, ImU32 colour, const std::string& words, float align) {
+void text(const Canvas& canvas, ImFont* font, float size, ImVec2 at, ImU32 colour, const std::string& words,
+          float align) {
     const float px = size * canvas.unit;
     const ImVec2 extent = font->CalcTextSizeA(px, 1e9f, 0.0f, words.c_str());
     const ImVec2 from(at.x - extent.x * align, at.y);
-    const ImU32 shade = faded(IM_COL32(0, 0, 0, 255), static_cast<float>(colour >> IM_COL32_A_SHIFT) / 255.0f * 0.8f);
+    const ImU32 shade =
+        faded(IM_COL32(0, 0, 0, 255), static_cast<float>(colour >> IM_COL32_A_SHIFT) / 255.0f * 0.8f);
     canvas.list->AddText(font, px, ImVec2(from.x + canvas.unit, from.y + canvas.unit), shade, words.c_str());
     canvas.list->AddText(font, px, from, colour, words.c_str());
 }
@@ -38,10 +40,12 @@ void text(const Canvas& canvas, ImFont* font, float size, ImVec2 at, ImU32 colou
 void draw_gem(const Canvas& canvas, const HudModel& model) {
     const float r = 26.0f * canvas.unit;
     const ImVec2 c = canvas.at(canvas.size.x * 0.5f, canvas.size.y - 46.0f * canvas.unit);
-    const ImVec2 top(c.x, c.y - r), right(c.x + r * 0.72f, c.y), bottom(c.x, c.y + r), left(c.x - r * 0.72f, c.y);
+    const ImVec2 top(c.x, c.y - r), right(c.x + r * 0.72f, c.y), bottom(c.x, c.y + r),
+        left(c.x - r * 0.72f, c.y);
     canvas.list->AddQuadFilled(top, right, bottom, left, IM_COL32(8, 10, 18, 200));
     const float lit = std::clamp(model.exposure, 0.0f, 1.0f);
-    const ImU32 glow = IM_COL32(255, 214 + static_cast<int>(30.0f * lit), 130 + static_cast<int>(90.0f * lit), 255);
+    const ImU32 glow =
+        IM_COL32(255, 214 + static_cast<int>(30.0f * lit), 130 + static_cast<int>(90.0f * lit), 255);
     canvas.list->AddQuadFilled(top, right, bottom, left, faded(glow, lit * lit * 0.5f + lit * 0.45f));
     canvas.list->AddQuad(top, right, bottom, left, faded(kBrass, 0.9f), 1.6f * canvas.unit);
     canvas.list->AddLine(top, bottom, faded(kBrass, 0.35f), canvas.unit);
@@ -55,32 +59,42 @@ void draw_gem(const Canvas& canvas, const HudModel& model) {
         const ImU32 colour = model.noise > share ? (share > 0.7f ? kAlarm : kIvory) : faded(kIvory, 0.16f);
         for (const float side : {-1.0f, 1.0f}) {
             const float x = c.x + side * (34.0f + 7.0f * static_cast<float>(i)) * canvas.unit;
-            canvas.list->AddRectFilled(ImVec2(x - 1.6f * canvas.unit, c.y - height), ImVec2(x + 1.6f * canvas.unit, c.y + height), colour);
+            canvas.list->AddRectFilled(ImVec2(x - 1.6f * canvas.unit, c.y - height),
+                                       ImVec2(x + 1.6f * canvas.unit, c.y + height), colour);
         }
     }
 }
 
 void draw_stance(const Canvas& canvas, const HudModel& model) {
     const char* stance = model.is_crouched ? "crouching" : model.is_running ? "running" : "walking";
-    const ImVec2 at = canvas.at(canvas.size.x * 0.5f - 112.0f * canvas.unit, canvas.size.y - 56.0f * canvas.unit);
+    const ImVec2 at =
+        canvas.at(canvas.size.x * 0.5f - 112.0f * canvas.unit, canvas.size.y - 56.0f * canvas.unit);
     text(canvas, text_font(), 15.0f, at, faded(kIvory, 0.75f), stance, 1.0f);
     char stones[48];
-    std::snprintf(stones, sizeof stones, "%d %s", model.stones_left, model.stones_left == 1 ? "stone" : "stones");
-    const ImVec2 right = canvas.at(canvas.size.x * 0.5f + 112.0f * canvas.unit, canvas.size.y - 56.0f * canvas.unit);
-    text(canvas, text_font(), 15.0f, right, faded(kIvory, model.stones_left > 0 ? 0.75f : 0.35f), stones, 0.0f);
+    std::snprintf(stones, sizeof stones, "%d %s", model.stones_left,
+                  model.stones_left == 1 ? "stone" : "stones");
+    const ImVec2 right =
+        canvas.at(canvas.size.x * 0.5f + 112.0f * canvas.unit, canvas.size.y - 56.0f * canvas.unit);
+    text(canvas, text_font(), 15.0f, right, faded(kIvory, model.stones_left > 0 ? 0.75f : 0.35f), stones,
+         0.0f);
     if (model.lenses_total == 0) return;
     char lenses[64];
     std::snprintf(lenses, sizeof lenses, "lenses %d / %d", model.lenses_taken, model.lenses_total);
     const ImU32 colour = model.lenses_taken == model.lenses_total ? kBrass : faded(kIvory, 0.75f);
-    text(canvas, text_font(), 15.0f, canvas.at(canvas.size.x - 24.0f * canvas.unit, 20.0f * canvas.unit), colour, lenses, 1.0f);
+    text(canvas, text_font(), 15.0f, canvas.at(canvas.size.x - 24.0f * canvas.unit, 20.0f * canvas.unit),
+         colour, lenses, 1.0f);
 }
 
 ImU32 colour_of(Mood mood) {
     switch (mood) {
-        case Mood::Calm: return kIvory;
-        case Mood::Suspicious: return IM_COL32(240, 214, 110, 255);
-        case Mood::Searching: return IM_COL32(240, 150, 70, 255);
-        case Mood::Chasing: return kAlarm;
+        case Mood::Calm:
+            return kIvory;
+        case Mood::Suspicious:
+            return IM_COL32(240, 214, 110, 255);
+        case Mood::Searching:
+            return IM_COL32(240, 150, 70, 255);
+        case Mood::Chasing:
+            return kAlarm;
     }
     return kIvory;
 }
@@ -102,7 +116,8 @@ void draw_guards(const Canvas& canvas, const HudModel& model) {
         const ImVec2 at(centre.x + std::cos(angle) * (radius + 22.0f * canvas.unit),
                         centre.y + std::sin(angle) * (radius + 22.0f * canvas.unit) - 9.0f * canvas.unit);
         const char* mark = guard.mood == Mood::Suspicious ? "?" : guard.mood == Mood::Searching ? "??" : "!";
-        text(canvas, text_font(), 20.0f, at, colour_of(guard.mood), mark + (guard.cue.empty() ? "" : "  " + guard.cue), 0.5f);
+        text(canvas, text_font(), 20.0f, at, colour_of(guard.mood),
+             mark + (guard.cue.empty() ? "" : "  " + guard.cue), 0.5f);
     }
 }
 
@@ -127,11 +142,13 @@ void draw_aim(const Canvas& canvas, const HudModel& model) {
 void draw_words(const Canvas& canvas, const HudModel& model) {
     const float middle = canvas.size.x * 0.5f;
     if (!model.prompt.empty()) {
-        text(canvas, text_font(), 18.0f, canvas.at(middle, canvas.size.y * 0.58f), kIvory, model.prompt, 0.5f);
+        text(canvas, text_font(), 18.0f, canvas.at(middle, canvas.size.y * 0.58f), kIvory, model.prompt,
+             0.5f);
     }
     if (!model.room.empty() && model.room_age < 4.0f) {
         const float alpha = std::min({1.0f, model.room_age * 2.0f, 4.0f - model.room_age});
-        text(canvas, heading_font(), 40.0f, canvas.at(middle, canvas.size.y * 0.13f), faded(kIvory, alpha * 0.9f), model.room, 0.5f);
+        text(canvas, heading_font(), 40.0f, canvas.at(middle, canvas.size.y * 0.13f),
+             faded(kIvory, alpha * 0.9f), model.room, 0.5f);
     }
     float y = canvas.size.y - 116.0f * canvas.unit;
     for (auto caption = model.captions.rbegin(); caption != model.captions.rend(); ++caption) {
@@ -144,8 +161,10 @@ void draw_words(const Canvas& canvas, const HudModel& model) {
         y -= 21.0f * canvas.unit;
     }
     if (model.headline.empty()) return;
-    canvas.list->AddRectFilled(canvas.at(0.0f, canvas.size.y * 0.36f), canvas.at(canvas.size.x, canvas.size.y * 0.60f), kNight);
-    text(canvas, heading_font(), 72.0f, canvas.at(middle, canvas.size.y * 0.37f), kBrass, model.headline, 0.5f);
+    canvas.list->AddRectFilled(canvas.at(0.0f, canvas.size.y * 0.36f),
+                               canvas.at(canvas.size.x, canvas.size.y * 0.60f), kNight);
+    text(canvas, heading_font(), 72.0f, canvas.at(middle, canvas.size.y * 0.37f), kBrass, model.headline,
+         0.5f);
     text(canvas, text_font(), 18.0f, canvas.at(middle, canvas.size.y * 0.52f), kIvory, model.subline, 0.5f);
 }
 
@@ -167,7 +186,8 @@ void draw_hud(const Window& window, const HudModel& model) {
 
 void Captions::add(Caption caption) {
     // The same words again only start their time anew: a guard's steps must not push everything else out.
-    const auto same = std::find_if(captions_.begin(), captions_.end(), [&](const Caption& c) { return c.text == caption.text; });
+    const auto same = std::find_if(captions_.begin(), captions_.end(),
+                                   [&](const Caption& c) { return c.text == caption.text; });
     if (same != captions_.end()) captions_.erase(same);
     captions_.push_back(std::move(caption));
     if (captions_.size() > kMostCaptions) captions_.erase(captions_.begin());

@@ -1,12 +1,12 @@
 // present/hud.h - what the player reads while playing. Plain data in, drawing out; it decides nothing.
 #pragma once
 
+#include <glm/vec2.hpp>
+
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
-
-#include <glm/vec2.hpp>
 
 namespace gh::present {
 
@@ -20,7 +20,7 @@ struct GuardMark {
     float suspicion = 0.0f;  // share of the way to the next mood, 0..1
     float distance = 0.0f;   // metres
     Mood mood = Mood::Calm;
-    std::string cue;         // "saw you in a mirror", "heard you": why it rose
+    std::string cue;  // "saw you in a mirror", "heard you": why it rose
 };
 
 struct Caption {
@@ -31,21 +31,21 @@ struct Caption {
 };
 
 struct HudModel {
-    float exposure = 0.0f;   // the very number the guards weigh, 0..1
-    float noise = 0.0f;      // 0 silent .. 1 loud
+    float exposure = 0.0f;  // the very number the guards weigh, 0..1
+    float noise = 0.0f;     // 0 silent .. 1 loud
     bool is_crouched = false;
     bool is_running = false;
     int stones_left = 0;
     int lenses_taken = 0;
     int lenses_total = 0;
-    float aim = 0.0f;                 // how far the throw is drawn, 0: not aiming
+    float aim = 0.0f;                  // how far the throw is drawn, 0: not aiming
     std::vector<glm::vec2> throw_arc;  // picture coordinates 0..1, x right, y down
-    std::string prompt;               // "Open the door"; empty: nothing in reach
-    std::string room;                 // title of where the player is
-    float room_age = 0.0f;            // seconds since entering it
+    std::string prompt;                // "Open the door"; empty: nothing in reach
+    std::string room;                  // title of where the player is
+    float room_age = 0.0f;             // seconds since entering it
     std::vector<GuardMark> guards;
     std::vector<Caption> captions;
-    std::string headline;             // "Caught", "The lens is yours"; empty while playing
+    std::string headline;  // "Caught", "The lens is yours"; empty while playing
     std::string subline;
 };
 

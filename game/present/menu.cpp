@@ -1,10 +1,10 @@
 #include "present/menu.h"
 
-#include <array>
+#include "present/theme.h"
 
 #include <imgui.h>
 
-#include "present/theme.h"
+#include <array>
 
 namespace gh::present {
 
@@ -28,7 +28,9 @@ constexpr std::array kControls = {
     Control{"F3 / F11 / Esc", "profiler / full screen / this menu"},
 };
 
-bool wide_button(const char* label) { return ImGui::Button(label, ImVec2(260.0f, 0.0f)); }
+bool wide_button(const char* label) {
+    return ImGui::Button(label, ImVec2(260.0f, 0.0f));
+}
 
 void draw_settings(MenuSettings& settings) {
     ImGui::PushItemWidth(190.0f);
@@ -61,7 +63,9 @@ MenuAction draw_pause_menu(MenuSettings& settings, const std::string& note) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::GetBackgroundDrawList()->AddRectFilled(ImVec2(0.0f, 0.0f), screen, IM_COL32(4, 6, 12, 150));
     ImGui::SetNextWindowPos(ImVec2(screen.x * 0.5f, screen.y * 0.5f), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-    ImGui::Begin("pause", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::Begin(
+        "pause", nullptr,
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
     ImGui::PushFont(heading_font());
     ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kBrass), "Glasshouse");
     ImGui::PopFont();

@@ -1,15 +1,16 @@
 #include "present/profiler.h"
 
-#include <imgui.h>
-
 #include "present/theme.h"
+
+#include <imgui.h>
 
 namespace gh::present {
 
 namespace {
 
 void rows(const char* title, float total_ms, const std::vector<ProfileRow>& list) {
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kBrass), "%s  %.2f ms", title, static_cast<double>(total_ms));
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kBrass), "%s  %.2f ms", title,
+                       static_cast<double>(total_ms));
     for (const ProfileRow& row : list) {
         const float share = total_ms > 0.0f ? row.ms / total_ms : 0.0f;
         ImGui::ProgressBar(share, ImVec2(70.0f, 10.0f), "");
@@ -24,12 +25,13 @@ void draw_profiler(const ProfileModel& model) {
     ImGui::SetNextWindowPos(ImVec2(14.0f, 14.0f), ImGuiCond_Always);
     ImGui::SetNextWindowBgAlpha(0.78f);
     ImGui::Begin("profiler", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::TextUnformatted(model.machine.c_str());
     if (!model.frame_history_ms.empty()) {
-        ImGui::PlotLines("", model.frame_history_ms.data(), static_cast<int>(model.frame_history_ms.size()), 0, nullptr, 0.0f,
-                         100.0f, ImVec2(250.0f, 44.0f));
+        ImGui::PlotLines("", model.frame_history_ms.data(), static_cast<int>(model.frame_history_ms.size()),
+                         0, nullptr, 0.0f, 100.0f, ImVec2(250.0f, 44.0f));
     }
     rows("frame", model.frame_ms, model.frame_rooms);
     rows("tick", model.tick_ms, model.tick_rooms);

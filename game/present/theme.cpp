@@ -10,8 +10,12 @@ ImU32 faded(ImU32 colour, float alpha) {
 }
 
 // load_fonts adds text first and heading second: the atlas itself remembers them, so nothing global does.
-ImFont* text_font() { return ImGui::GetIO().Fonts->Fonts[0]; }
-ImFont* heading_font() { return ImGui::GetIO().Fonts->Fonts[ImGui::GetIO().Fonts->Fonts.Size - 1]; }
+ImFont* text_font() {
+    return ImGui::GetIO().Fonts->Fonts[0];
+}
+ImFont* heading_font() {
+    return ImGui::GetIO().Fonts->Fonts[ImGui::GetIO().Fonts->Fonts.Size - 1];
+}
 
 void apply_theme(const Fonts& fonts) {
     ImGui::GetIO().FontDefault = fonts.text;

@@ -1,9 +1,9 @@
 // present/theme.h - the museum's colours: ivory on night blue, brass for what matters, red for alarm.
 #pragma once
 
-#include <imgui.h>
-
 #include "present/fonts.h"
+
+#include <imgui.h>
 
 namespace gh::present {
 

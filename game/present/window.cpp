@@ -5,14 +5,14 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #define GL_GLEXT_PROTOTYPES
+#include "present/blit.h"
+#include "present/fonts.h"
+#include "present/theme.h"
+
 #include <GL/glcorearb.h>
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
-
-#include "present/blit.h"
-#include "present/fonts.h"
-#include "present/theme.h"
 
 namespace gh::present {
 
@@ -76,7 +76,8 @@ Result<Window> Window::open(const WindowOptions& options) {
     if (glfwInit() == GLFW_FALSE) return Error{"window: cannot be opened: " + last_glfw_reason()};
     auto data = std::make_unique<Data>();
     data->window = create_window(options);
-    if (data->window == nullptr) return Error{"window: OpenGL 3.3 is not to be had here: " + last_glfw_reason()};
+    if (data->window == nullptr)
+        return Error{"window: OpenGL 3.3 is not to be had here: " + last_glfw_reason()};
 
     glfwMakeContextCurrent(data->window);
     glfwSwapInterval(1);
@@ -103,13 +104,27 @@ void Window::poll_events() {
     if (data_->is_captured && !has_focus()) capture_cursor(false);
 }
 
-bool Window::wants_to_close() const { return glfwWindowShouldClose(data_->window) != 0; }
-void Window::keep_open() { glfwSetWindowShouldClose(data_->window, GLFW_FALSE); }
-bool Window::has_focus() const { return glfwGetWindowAttrib(data_->window, GLFW_FOCUSED) != 0; }
-GLFWwindow* Window::device() const { return data_->window; }
-bool Window::is_cursor_captured() const { return data_->is_captured; }
-glm::vec2 Window::picture_offset() const { return data_->picture_offset; }
-glm::vec2 Window::picture_size() const { return data_->picture_size; }
+bool Window::wants_to_close() const {
+    return glfwWindowShouldClose(data_->window) != 0;
+}
+void Window::keep_open() {
+    glfwSetWindowShouldClose(data_->window, GLFW_FALSE);
+}
+bool Window::has_focus() const {
+    return glfwGetWindowAttrib(data_->window, GLFW_FOCUSED) != 0;
+}
+GLFWwindow* Window::device() const {
+    return data_->window;
+}
+bool Window::is_cursor_captured() const {
+    return data_->is_captured;
+}
+glm::vec2 Window::picture_offset() const {
+    return data_->picture_offset;
+}
+glm::vec2 Window::picture_size() const {
+    return data_->picture_size;
+}
 
 glm::ivec2 Window::framebuffer_size() const {
     int width = 0;

@@ -4,13 +4,13 @@
 // Bad input no display, no OpenGL 3.3: one sentence. A 0x0 (minimised) window shows nothing and is not an error.
 #pragma once
 
-#include <memory>
-#include <string>
+#include "base/image.h"
+#include "base/result.h"
 
 #include <glm/vec2.hpp>
 
-#include "base/image.h"
-#include "base/result.h"
+#include <memory>
+#include <string>
 
 struct GLFWwindow;
 

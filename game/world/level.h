@@ -6,19 +6,19 @@
 // Threads   immutable after loading.
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <vector>
+#include "world/surface.h"
 
-#include <glm/mat4x3.hpp>
+#include "raycore/ray.h"
+
 #include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "world/surface.h"
-
-#include "raycore/ray.h"
+#include <cstdint>
+#include <string>
+#include <vector>
 
 namespace gh::world {
 
@@ -40,7 +40,7 @@ enum class Wrap : std::uint8_t { Repeat, Clamp, Mirror };
 
 struct Texture {
     std::string name;
-    int width = 0;   // pixels, >= 1
+    int width = 0;  // pixels, >= 1
     int height = 0;
     Wrap wrap_u = Wrap::Repeat;
     Wrap wrap_v = Wrap::Repeat;
@@ -57,9 +57,9 @@ struct Material {
     float roughness = 1.0f;
     float transmission = 0.0f;
     float ior = 1.5f;
-    glm::vec3 attenuation_color{1.0f};        // of light after attenuation_distance inside
+    glm::vec3 attenuation_color{1.0f};           // of light after attenuation_distance inside
     float attenuation_distance = rc::kInfinity;  // metres
-    glm::vec3 emission{0.0f};                 // radiance: factor x strength
+    glm::vec3 emission{0.0f};                    // radiance: factor x strength
     float alpha_cutoff = 0.5f;
     float normal_scale = 1.0f;
     AlphaMode alpha_mode = AlphaMode::Opaque;
@@ -81,8 +81,8 @@ struct Mesh {
     std::vector<glm::vec4> tangents;  // w: handedness
     std::vector<glm::uvec3> triangles;
     std::vector<std::uint32_t> materials;  // one a triangle
-    std::vector<glm::u16vec4> joints;  // of Level::skins of the part that wears this mesh
-    std::vector<glm::vec4> weights;    // sum to 1
+    std::vector<glm::u16vec4> joints;      // of Level::skins of the part that wears this mesh
+    std::vector<glm::vec4> weights;        // sum to 1
 };
 
 // What moves a part: the State's entry `index` of that kind. A part's rest pose is relative to its mover.
@@ -91,13 +91,13 @@ enum class Mover : std::uint8_t { None, Door, Mirror, Guard, Stone, Lens };
 // One mesh somewhere in the level: instance i of the tick's Scene draws part i (stones and guards included; a
 // stone that does not fly, and a lens that is taken, have empty masks).
 struct Part {
-    std::string name;                         // the glTF node's
+    std::string name;  // the glTF node's
     std::uint32_t mesh = 0;
-    glm::mat4x3 mover_from_part{1.0f};        // world_from_part when mover is None
+    glm::mat4x3 mover_from_part{1.0f};  // world_from_part when mover is None
     rc::LayerMask layers = 0;
     Mover mover = Mover::None;
     std::uint32_t mover_index = 0;
-    std::uint32_t lamp_group = kNoIndex;      // emissive parts go dark with their group
+    std::uint32_t lamp_group = kNoIndex;  // emissive parts go dark with their group
     bool is_shell = false;
 };
 
@@ -110,13 +110,15 @@ struct Lamp {
     LampShape shape = LampShape::Point;
     glm::vec3 position{0.0f};
     glm::vec3 direction{0.0f, -1.0f, 0.0f};  // unit: spot and sun shine along it, a rect on this side only
-    glm::vec3 intensity{0.0f};  // point, spot: W/sr; sun: W/m2 across the direction; sphere, rect: radiance W/m2/sr
-    float radius = 0.0f;        // sphere; 0 otherwise
-    glm::vec3 half_u{0.0f};     // rect: half edges, orthogonal
+    glm::vec3 intensity{
+        0.0f};            // point, spot: W/sr; sun: W/m2 across the direction; sphere, rect: radiance W/m2/sr
+    float radius = 0.0f;  // sphere; 0 otherwise
+    glm::vec3 half_u{0.0f};  // rect: half edges, orthogonal
     glm::vec3 half_v{0.0f};
-    float cos_inner = 1.0f;     // spot: full light within, none beyond outer
+    float cos_inner = 1.0f;  // spot: full light within, none beyond outer
     float cos_outer = 0.0f;
-    float range = rc::kInfinity;  // metres beyond which it gives less than 1e-3 W/m2 (or the file's own range)
+    float range =
+        rc::kInfinity;  // metres beyond which it gives less than 1e-3 W/m2 (or the file's own range)
     std::uint32_t group = kNoIndex;
     std::uint32_t part = kNoIndex;  // the visible bulb, which must not shadow its own lamp
     bool starts_on = true;
@@ -126,12 +128,12 @@ struct Lamp {
 
 struct Door {
     std::string name, title;
-    glm::vec3 hinge{0.0f};             // world
+    glm::vec3 hinge{0.0f};                              // world
     glm::quat world_from_rest{1.0f, 0.0f, 0.0f, 0.0f};  // rotation of the closed door
-    glm::vec3 axis{0.0f, 1.0f, 0.0f};  // unit, in the door's own frame
-    float open_angle = 1.65f;          // radians, signed
+    glm::vec3 axis{0.0f, 1.0f, 0.0f};                   // unit, in the door's own frame
+    float open_angle = 1.65f;                           // radians, signed
     float open_ticks = 48.0f;
-    glm::vec3 handle{0.0f};            // world, closed: where a hand (and a prompt) goes
+    glm::vec3 handle{0.0f};  // world, closed: where a hand (and a prompt) goes
 };
 
 // A flat pane that guards see in. Fixed when turn_step == 0.
@@ -140,7 +142,7 @@ struct Mirror {
     glm::vec3 pivot{0.0f};
     glm::quat world_from_rest{1.0f, 0.0f, 0.0f, 0.0f};
     glm::vec3 axis{0.0f, 1.0f, 0.0f};
-    float turn_step = 0.0f;      // radians a use
+    float turn_step = 0.0f;       // radians a use
     glm::vec3 pane_centre{0.0f};  // in the mirror's frame (origin pivot, axes world_from_rest)
     glm::vec3 pane_half_u{0.0f};
     glm::vec3 pane_half_v{0.0f};
@@ -202,7 +204,7 @@ struct Viewpoint {  // a glTF camera
 
 struct Joint {
     std::string name;
-    std::uint32_t parent = kNoIndex;  // always lower than the joint's own index
+    std::uint32_t parent = kNoIndex;    // always lower than the joint's own index
     glm::mat4x3 joint_from_mesh{1.0f};  // inverse bind
     glm::vec3 rest_translation{0.0f};
     glm::quat rest_rotation{1.0f, 0.0f, 0.0f, 0.0f};
@@ -214,9 +216,9 @@ enum class ChannelPath : std::uint8_t { Translation, Rotation, Scale };
 struct Channel {
     std::uint32_t joint = 0;
     ChannelPath path = ChannelPath::Rotation;
-    bool is_step = false;            // otherwise linear; cubic splines are resampled at load
-    std::vector<float> times;        // seconds, rising
-    std::vector<glm::vec4> values;   // xyz, or quaternion as xyzw
+    bool is_step = false;           // otherwise linear; cubic splines are resampled at load
+    std::vector<float> times;       // seconds, rising
+    std::vector<glm::vec4> values;  // xyz, or quaternion as xyzw
 };
 
 struct Clip {

@@ -10,7 +10,18 @@
 namespace gh::world {
 
 enum class Surface : std::uint8_t {
-    Marble, Concrete, Parquet, Plaster, Stud, Glass, Pane, Oak, Metal, Curtain, Ceiling, Carpet,
+    Marble,
+    Concrete,
+    Parquet,
+    Plaster,
+    Stud,
+    Glass,
+    Pane,
+    Oak,
+    Metal,
+    Curtain,
+    Ceiling,
+    Carpet,
 };
 inline constexpr std::size_t kSurfaceCount = 12;
 inline constexpr std::size_t kBands = 3;  // 250 Hz, 1 kHz, 4 kHz

@@ -1,0 +1,63 @@
+// app/options.h - the command line, as plain data.
+#pragma once
+
+#include "raycore/isa.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace gh::app {
+
+struct Size {
+    int width = 1280;  // pixels
+    int height = 720;
+};
+
+struct MachineOptions {
+    int threads = 0;  // 0: all cores
+    std::optional<rc::Isa> isa;
+};
+
+struct PlayOptions {
+    std::string level = "foyer";
+    std::filesystem::path record;  // empty: a name made from the date
+    Size size;
+    bool is_fullscreen = false;
+    MachineOptions machine;
+};
+
+struct ReplayOptions {
+    std::filesystem::path file;
+    bool verifies = false;
+    bool opens_window = false;
+    std::filesystem::path frames;  // folder; empty: no pictures
+    int every = 1;                 // ticks a picture
+    Size size{640, 360};
+    int samples_per_pixel = 1;
+    std::filesystem::path audio;  // empty: no sound
+    MachineOptions machine;
+};
+
+struct RenderOptions {
+    std::string scene;
+    std::filesystem::path output;
+    std::string
+        camera;  // a viewpoint's name, or x,y,z,yaw,pitch,fov in metres and degrees; empty: the first, or the spawn
+    Size size;
+    std::string renderer = "whitted";
+    int samples_per_pixel = 16;
+    MachineOptions machine;
+};
+
+struct InspectOptions {
+    std::string file;
+};
+
+using Options = std::variant<PlayOptions, ReplayOptions, RenderOptions, InspectOptions>;
+
+// Either options, or the exit code the program should leave with (0 after --help, 2 after a sentence on stderr).
+[[nodiscard]] std::variant<Options, int> parse_options(int argc, char** argv);
+
+}  // namespace gh::app

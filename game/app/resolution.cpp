@@ -1,0 +1,39 @@
+#include "app/resolution.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gh::app {
+
+namespace {
+
+constexpr float kFewestPixels = 160.0f * 90.0f;
+constexpr float kMostPixels = 3840.0f * 2160.0f;
+
+int multiple_of_8(float length) {
+    return std::max(8, static_cast<int>(length / 8.0f + 0.5f) * 8);
+}
+
+}  // namespace
+
+void Resolution::note_frame(float render_ms, float wanted_ms) {
+    if (!(render_ms > 0.0f) || !(wanted_ms > 0.0f)) return;
+    smoothed_ms_ = smoothed_ms_ == 0.0f ? render_ms : smoothed_ms_ + 0.3f * (render_ms - smoothed_ms_);
+    const float ratio = wanted_ms / smoothed_ms_;
+    if (std::abs(ratio - 1.0f) < 0.1f) return;
+    const float step = std::clamp(ratio, 0.75f, 1.25f);
+    pixels_ = std::clamp(pixels_ * step, kFewestPixels, kMostPixels);
+    smoothed_ms_ *= step;  // the next picture is expected to take that much
+}
+
+glm::ivec2 Resolution::size_for(glm::ivec2 framebuffer) const {
+    if (framebuffer.x <= 0 || framebuffer.y <= 0) return {0, 0};
+    const float width = static_cast<float>(framebuffer.x);
+    const float height = static_cast<float>(framebuffer.y);
+    const float wanted = std::sqrt(pixels_ / (width * height));
+    const float scale = std::clamp(wanted, std::min(1.0f, 160.0f / width), 1.0f);
+    if (scale == 1.0f) return framebuffer;
+    return {multiple_of_8(width * scale), multiple_of_8(height * scale)};
+}
+
+}  // namespace gh::app

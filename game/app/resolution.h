@@ -1,0 +1,28 @@
+// app/resolution.h - trades pixels for time, so that the frame rate a player chose is held.
+//
+// Same bits a pure function of the frame times it is given; the simulation never sees any of it.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+namespace gh::app {
+
+class Resolution {
+  public:
+    // Tells how long the last picture took; the size moves by at most a quarter at a time, and only when the time is
+    // off by more than a tenth, so that the picture does not breathe.
+    void note_frame(float render_ms, float wanted_ms);
+
+    // The size to render for a framebuffer of this size: its shape, at most its size, at least 160 pixels wide. Both
+    // sides are multiples of 8. {0, 0} for a framebuffer without area.
+    [[nodiscard]] glm::ivec2 size_for(glm::ivec2 framebuffer) const;
+
+    [[nodiscard]] float pixels() const { return pixels_; }
+
+  private:
+    float pixels_ =
+        320.0f * 180.0f;  // to begin with: a slow machine answers at once, a fast one grows within a second
+    float smoothed_ms_ = 0.0f;
+};
+
+}  // namespace gh::app
