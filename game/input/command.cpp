@@ -13,8 +13,8 @@ namespace {
 constexpr float kRadiansPerUnit = kTwoPi / 65536.0f;
 
 // Halves go away from zero, so that left and right are alike.
-float nearest(float x) { return std::copysign(std::floor(std::abs(x) + 0.5f), x); }
-    return std::floor(x + 0.5f);
+float nearest(float x) {
+    return std::copysign(std::floor(std::abs(x) + 0.5f), x);
 }
 
 }  // namespace
