@@ -1,0 +1,32 @@
+// render/lamp_lists.h - which lamps can be seen at all from each cell of the level, so that a pixel asks for the few
+// lamps of its room instead of all.
+//
+// Found once a level by rays between points of a cell and points of a lamp. What moves (doors, guards, turning
+// mirrors) and what is clear is ignored, and a cell takes over its neighbours' lamps, so that only light through
+// openings far smaller than a cell can be missed.
+#pragma once
+
+#include "base/jobs.h"
+#include "render/grid.h"
+#include "world/level.h"
+#include "world/snapshot.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gh::render {
+
+struct LampLists {
+    Grid grid;
+    std::vector<std::uint32_t> begin;  // cell c has lamps[begin[c]] .. lamps[begin[c + 1]], ids rising
+    std::vector<std::uint32_t> lamps;
+
+    [[nodiscard]] std::span<const std::uint32_t> at(const glm::vec3& position) const;
+};
+
+// `rays_per_pair`: looks from a cell to a lamp before it counts as hidden.
+[[nodiscard]] LampLists find_lamp_lists(const world::Level& level, const world::Snapshot& snapshot,
+                                        const Grid& grid, int rays_per_pair, const Jobs& jobs);
+
+}  // namespace gh::render
