@@ -83,6 +83,15 @@ void Devices::read_gamepad(Command& command) {
     }
 }
 
+ProgramKeys Devices::program_keys() {
+    const auto is_down = [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS; };
+    const ProgramKeys now{is_down(GLFW_KEY_ESCAPE), is_down(GLFW_KEY_F3), is_down(GLFW_KEY_F11)};
+    const ProgramKeys pressed{now.menu && !held_.menu, now.profiler && !held_.profiler,
+                              now.fullscreen && !held_.fullscreen};
+    held_ = now;
+    return pressed;
+}
+
 Command Devices::sample(const DeviceSettings& settings, bool is_listening) {
     Command command;
     if (is_listening) {

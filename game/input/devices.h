@@ -15,6 +15,13 @@ struct DeviceSettings {
     bool toggles_crouch = false;
 };
 
+// Keys that speak to the program, not to the player's body. True in the one call after the key went down.
+struct ProgramKeys {
+    bool menu = false;        // Esc
+    bool profiler = false;    // F3
+    bool fullscreen = false;  // F11
+};
+
 class Devices {
   public:
     explicit Devices(GLFWwindow* window);
@@ -24,6 +31,8 @@ class Devices {
 
     // What is held now. While not `is_listening` (a menu is open, the cursor is free) only the head's angles stay.
     [[nodiscard]] Command sample(const DeviceSettings& settings, bool is_listening);
+
+    [[nodiscard]] ProgramKeys program_keys();
 
   private:
     void turn_head(const DeviceSettings& settings);
@@ -37,6 +46,7 @@ class Devices {
     bool knows_cursor_ = false;
     bool is_crouched_ = false;  // when crouch toggles
     bool was_crouch_held_ = false;
+    ProgramKeys held_;  // a moment ago
 };
 
 }  // namespace gh::input

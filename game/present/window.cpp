@@ -21,6 +21,8 @@ struct Window::Data {
     Blit blit;
     bool has_ui = false;
     bool is_captured = false;
+    glm::ivec2 windowed_place{80, 80};
+    glm::ivec2 windowed_size{1280, 720};
     glm::vec2 picture_offset{0.0f};
     glm::vec2 picture_size{1.0f};
 
@@ -145,6 +147,21 @@ void Window::capture_cursor(bool is_captured) {
     } else {
         io.ConfigFlags &= ~ImGuiConfigFlags_NoMouse;
     }
+}
+
+void Window::toggle_fullscreen() {
+    Data& d = *data_;
+    if (glfwGetWindowMonitor(d.window) != nullptr) {
+        glfwSetWindowMonitor(d.window, nullptr, d.windowed_place.x, d.windowed_place.y, d.windowed_size.x,
+                             d.windowed_size.y, GLFW_DONT_CARE);
+        return;
+    }
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+    if (mode == nullptr) return;
+    glfwGetWindowPos(d.window, &d.windowed_place.x, &d.windowed_place.y);
+    glfwGetWindowSize(d.window, &d.windowed_size.x, &d.windowed_size.y);
+    glfwSetWindowMonitor(d.window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
 void Window::begin_frame(const Image8& picture) {

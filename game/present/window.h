@@ -32,7 +32,8 @@ class Window {
 
     void poll_events();  // also frees the cursor when the window has lost the focus
     [[nodiscard]] bool wants_to_close() const;
-    void keep_open();  // takes back a request to close
+    void keep_open();          // takes back a request to close
+    void toggle_fullscreen();  // back to the size and place it had
     [[nodiscard]] bool has_focus() const;
     [[nodiscard]] glm::ivec2 framebuffer_size() const;  // pixels, not the window's size; may be 0x0
 

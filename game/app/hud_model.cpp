@@ -1,0 +1,200 @@
+#include "app/hud_model.h"
+
+#include "world/eye.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace gh::app {
+
+namespace {
+
+constexpr float kQuietestNeedleDb = 25.0f;  // where the noise bars begin and end, dB at 1 m
+constexpr float kLoudestNeedleDb = 80.0f;
+constexpr float kCaptionHearing =
+    20.0f;  // metres; the mixer decides what is heard, this what is worth reading
+
+struct Frame {
+    glm::vec3 right, up, forward;
+};
+
+Frame frame_of(const render::Camera& camera) {
+    const float cy = std::cos(camera.yaw), sy = std::sin(camera.yaw);
+    const float cp = std::cos(camera.pitch), sp = std::sin(camera.pitch);
+    const glm::vec3 forward(-sy * cp, sp, -cy * cp);
+    const glm::vec3 right(cy, 0.0f, -sy);
+    return {right, glm::cross(right, forward), forward};
+}
+
+// Radians from straight ahead to a place, positive to the right.
+float bearing_to(const world::PlayerState& player, const glm::vec3& place) {
+    const float yaw = world::radians_from_turn(player.yaw);
+    const glm::vec3 to = place - player.position;
+    return std::atan2(glm::dot(to, world::right_of_yaw(yaw)), glm::dot(to, world::forward_of_yaw(yaw)));
+}
+
+present::Mood mood_of(world::Alert alert) {
+    switch (alert) {
+        case world::Alert::Calm:
+            return present::Mood::Calm;
+        case world::Alert::Suspicious:
+            return present::Mood::Suspicious;
+        case world::Alert::Searching:
+            return present::Mood::Searching;
+        case world::Alert::Chasing:
+            return present::Mood::Chasing;
+    }
+    return present::Mood::Calm;
+}
+
+std::string cue_words(world::Cue cue) {
+    switch (cue) {
+        case world::Cue::None:
+            return "";
+        case world::Cue::Sight:
+            return "saw you";
+        case world::Cue::Mirror:
+            return "saw you in a mirror";
+        case world::Cue::Sound:
+            return "heard something";
+    }
+    return "";
+}
+
+std::string bark_words(world::Bark bark) {
+    switch (bark) {
+        case world::Bark::None:
+            return "";
+        case world::Bark::Huh:
+            return "guard: hm?";
+        case world::Bark::WhoIsThere:
+            return "guard: who is there?";
+        case world::Bark::Alarm:
+            return "guard: stop!";
+        case world::Bark::GaveUp:
+            return "guard sighs and gives up";
+        case world::Bark::Caught:
+            return "guard: got you";
+    }
+    return "";
+}
+
+std::string title_of_room(const world::Level& level, const glm::vec3& position) {
+    for (const world::Room& room : level.rooms) {
+        const glm::vec3 p = position + glm::vec3(0.0f, 0.5f, 0.0f);
+        const bool is_inside =
+            glm::all(glm::lessThanEqual(room.box.min, p)) && glm::all(glm::lessThanEqual(p, room.box.max));
+        if (is_inside) return room.title.empty() ? room.name : room.title;
+    }
+    return "";
+}
+
+void write_outcome(const world::State& state, present::HudModel& hud) {
+    if (state.rules.outcome == world::Outcome::Caught) {
+        hud.headline = "Caught";
+        hud.subline = "press E to go back to the last checkpoint";
+    } else if (state.rules.outcome == world::Outcome::Won) {
+        hud.headline = "Into the night";
+        hud.subline = "the lens is yours; Esc for the menu";
+    }
+}
+
+}  // namespace
+
+std::optional<glm::vec2> picture_point(const render::Camera& camera, float aspect, const glm::vec3& point) {
+    const Frame frame = frame_of(camera);
+    const glm::vec3 to = point - camera.position;
+    const float depth = glm::dot(to, frame.forward);
+    if (depth < 0.05f) return std::nullopt;
+    const float half_height = std::tan(camera.fov_y * 0.5f);
+    return glm::vec2(0.5f + 0.5f * glm::dot(to, frame.right) / (depth * half_height * aspect),
+                     0.5f - 0.5f * glm::dot(to, frame.up) / (depth * half_height));
+}
+
+std::string caption_of(const world::Level& level, const world::Noise& noise) {
+    (void)level;
+    const std::string surface(world::surface_name(static_cast<world::Surface>(noise.surface)));
+    switch (noise.kind) {
+        case world::NoiseKind::Footstep:
+            return "";
+        case world::NoiseKind::Land:
+            return "";
+        case world::NoiseKind::Throw:
+            return "";
+        case world::NoiseKind::StoneHit:
+            return "stone clatters on " + surface;
+        case world::NoiseKind::DoorOpen:
+            return "door opens";
+        case world::NoiseKind::DoorClose:
+            return "door closes";
+        case world::NoiseKind::Switch:
+            return "switch clicks";
+        case world::NoiseKind::MirrorTurn:
+            return "mirror turns";
+        case world::NoiseKind::LensTaken:
+            return "lens taken";
+        case world::NoiseKind::GuardStep:
+            return "footsteps on " + surface;
+        case world::NoiseKind::Bark:
+            return bark_words(noise.bark);
+    }
+    return "";
+}
+
+void HudReader::say(const std::string& words) {
+    captions_.add({.text = words});
+}
+
+void HudReader::note_tick(const world::Level& level, const world::Snapshot& now) {
+    captions_.grow_older(world::kTickSeconds);
+    const world::State& state = now.state;
+    for (std::uint32_t i = 0; i < state.noise_count; ++i) {
+        const world::Noise& noise = state.noises[i];
+        const std::string words = caption_of(level, noise);
+        if (words.empty() || glm::distance(noise.position, state.player.position) > kCaptionHearing) continue;
+        captions_.add(
+            {.text = words, .bearing = bearing_to(state.player, noise.position), .has_bearing = true});
+    }
+    const std::string room = title_of_room(level, state.player.position);
+    if (room != room_ && !room.empty()) {
+        room_ = room;
+        room_age_ = 0.0f;
+    } else {
+        room_age_ += world::kTickSeconds;
+    }
+}
+
+present::HudModel HudReader::model(const world::Level& level, const world::Snapshot& now,
+                                   const render::Camera& camera, float aspect, bool shows_captions) const {
+    const world::State& state = now.state;
+    const world::PlayerState& player = state.player;
+    present::HudModel hud;
+    hud.exposure = player.exposure;
+    hud.noise = std::clamp((player.noise_db - kQuietestNeedleDb) / (kLoudestNeedleDb - kQuietestNeedleDb),
+                           0.0f, 1.0f);
+    hud.is_crouched = player.stance == world::Stance::Crouch;
+    hud.is_running = !hud.is_crouched && glm::length(player.velocity) > 3.0f;
+    hud.stones_left = player.stones_left;
+    hud.lenses_total = static_cast<int>(level.lenses.size());
+    hud.lenses_taken = state.rules.lenses_taken_count;
+    hud.room = room_;
+    hud.room_age = room_age_;
+    if (shows_captions) hud.captions = captions_.list();
+    for (std::size_t g = 0; g < level.guards.size(); ++g) {
+        const world::GuardState& guard = state.guards[g];
+        hud.guards.push_back({.bearing = bearing_to(player, guard.position),
+                              .suspicion = guard.suspicion,
+                              .distance = glm::distance(guard.position, player.position),
+                              .mood = mood_of(guard.alert),
+                              .cue = cue_words(guard.raised_by)});
+    }
+    (void)camera;
+    (void)aspect;
+    write_outcome(state, hud);
+    return hud;
+}
+
+}  // namespace gh::app

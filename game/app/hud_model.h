@@ -1,0 +1,40 @@
+// app/hud_model.h - from the State to what the HUD shows: the gem, marks for guards, captions for what is heard.
+//
+// Reads what the simulation decided; decides nothing.
+#pragma once
+
+#include "present/hud.h"
+#include "render/camera.h"
+#include "world/level.h"
+#include "world/snapshot.h"
+
+#include <string>
+
+namespace gh::app {
+
+class HudReader {
+  public:
+    // Once a tick: picks up this tick's noises and the room the player is in.
+    void note_tick(const world::Level& level, const world::Snapshot& now);
+    // Says something that is not a noise.
+    void say(const std::string& words);
+
+    // As it stands. `camera` and `aspect` place the throw's arc in the picture.
+    [[nodiscard]] present::HudModel model(const world::Level& level, const world::Snapshot& now,
+                                          const render::Camera& camera, float aspect,
+                                          bool shows_captions) const;
+
+  private:
+    present::Captions captions_;
+    std::string room_;
+    float room_age_ = 0.0f;
+};
+
+// What a noise is to a listener: "a stone clatters on marble"; empty for the player's own steps.
+[[nodiscard]] std::string caption_of(const world::Level& level, const world::Noise& noise);
+
+// Where a point of the world appears in the picture, 0..1 to the right and down; nullopt behind the camera.
+[[nodiscard]] std::optional<glm::vec2> picture_point(const render::Camera& camera, float aspect,
+                                                     const glm::vec3& point);
+
+}  // namespace gh::app

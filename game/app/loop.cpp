@@ -1,0 +1,231 @@
+#include "app/loop.h"
+
+#include "app/settings.h"
+#include "present/hud.h"
+#include "present/profiler.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+
+namespace gh::app {
+
+namespace {
+
+constexpr int kMostTicksAPicture = 6;
+constexpr const char* kPhaseNames[sim::kPhaseCount] = {"decide", "doors",  "motion",   "stones",
+                                                       "noise",  "commit", "perceive", "judge"};
+
+// The clock for the phases of a tick.
+class PhaseClock final : public sim::PhaseObserver {
+  public:
+    explicit PhaseClock(Stopwatch& watch) : watch_(watch) { watch_.begin_round(); }
+    void begin(sim::Phase phase) override { watch_.enter(kPhaseNames[static_cast<std::size_t>(phase)]); }
+    void end() override { watch_.end_round(); }
+
+  private:
+    Stopwatch& watch_;
+};
+
+present::ProfileModel profile_model(const Stopwatch& frames, const Stopwatch& ticks,
+                                    const render::FrameStats& stats) {
+    present::ProfileModel model;
+    model.frame_ms = frames.round_ms();
+    model.tick_ms = ticks.round_ms();
+    model.frame_rooms = frames.rooms();
+    model.tick_rooms = ticks.rooms();
+    model.frame_history_ms = frames.history_ms();
+    model.rays = {{"primary", stats.primary_rays},
+                  {"reflected", stats.reflected_rays},
+                  {"refracted", stats.refracted_rays},
+                  {"shadow", stats.shadow_rays},
+                  {"shadow in glass", stats.glass_shadow_rays},
+                  {"ambient", stats.ambient_rays}};
+    return model;
+}
+
+}  // namespace
+
+Loop::Loop(Session& session, present::Window& window, std::string level_name,
+           std::optional<std::vector<input::Command>> watched)
+    : session_(session),
+      window_(window),
+      level_name_(std::move(level_name)),
+      watched_(std::move(watched)),
+      devices_(window.device()),
+      settings_(load_settings(settings_path())) {
+    auto sound = Sound::open_device();
+    if (sound) {
+        sound_ = *std::move(sound);
+        sound_->set_volume(settings_.volume);
+    } else {
+        std::cerr << "glasshouse: " << sound.error().sentence << "; playing in silence\n";
+    }
+    const world::PlayerState& player = session_.simulation->state().player;
+    devices_.look_along(player.yaw, player.pitch);
+}
+
+Loop::~Loop() = default;
+
+Result<void> Loop::begin_recording(const std::filesystem::path& path) {
+    if (is_watching()) return {};
+    auto recorder = Recorder::start(path, recording_header(level_name_, *session_.level, seed_));
+    if (!recorder) return recorder.error();
+    recorder_ = *std::move(recorder);
+    return {};
+}
+
+Result<void> Loop::run(const std::filesystem::path& record_to) {
+    if (auto begun = begin_recording(record_to); !begun) return begun;
+    window_.capture_cursor(true);
+    last_time_ = Clock::now();
+    while (!wants_to_quit_ && !window_.wants_to_close() && !trouble_) {
+        window_.poll_events();
+        handle_keys();
+        advance_time();
+        draw();
+    }
+    if (recorder_) {
+        if (auto finished = recorder_->finish(); !finished && !trouble_) trouble_ = finished.error();
+    }
+    if (trouble_) return *trouble_;
+    return {};
+}
+
+void Loop::handle_keys() {
+    const input::ProgramKeys keys = devices_.program_keys();
+    if (keys.menu) set_paused(!is_paused_);
+    if (keys.profiler) shows_profiler_ = !shows_profiler_;
+    if (keys.fullscreen) window_.toggle_fullscreen();
+    // A player who has gone to another window is not playing; losing the focus has already freed the cursor.
+    if (!is_paused_ && !window_.is_cursor_captured() && !is_watching()) set_paused(true);
+}
+
+void Loop::set_paused(bool is_paused) {
+    is_paused_ = is_paused;
+    window_.capture_cursor(!is_paused);
+    if (sound_) sound_->set_paused(is_paused);
+    if (!is_paused) {
+        if (auto saved = save_settings(settings_path(), settings_); !saved) hud_.say(saved.error().sentence);
+    }
+}
+
+void Loop::advance_time() {
+    const Clock::time_point now = Clock::now();
+    const float passed = std::chrono::duration<float>(now - last_time_).count();
+    last_time_ = now;
+    picture_seconds_ += passed;
+    if (is_paused_) {
+        owed_seconds_ = 0.0f;
+        return;
+    }
+    owed_seconds_ = std::min(owed_seconds_ + passed, kMostTicksAPicture * world::kTickSeconds);
+    while (owed_seconds_ >= world::kTickSeconds && !wants_to_quit_) {
+        owed_seconds_ -= world::kTickSeconds;
+        run_tick();
+    }
+}
+
+input::Command Loop::next_command() {
+    if (is_watching()) return (*watched_)[watched_next_++];
+    const input::DeviceSettings settings{.mouse_sensitivity = settings_.mouse_sensitivity,
+                                         .inverts_y = settings_.inverts_y,
+                                         .toggles_crouch = settings_.toggles_crouch};
+    return devices_.sample(settings, !is_paused_);
+}
+
+void Loop::run_tick() {
+    if (is_watching() && watched_next_ >= watched_->size()) {
+        wants_to_quit_ = true;
+        return;
+    }
+    const input::Command command = next_command();
+    const std::uint32_t caught_before = session_.simulation->state().rules.times_caught;
+    PhaseClock clock(tick_watch_);
+    session_.simulation->step(command, &clock);
+    const std::shared_ptr<const world::Snapshot> now = session_.simulation->snapshot();
+    if (now->state.rules.times_caught != caught_before &&
+        now->state.rules.outcome == world::Outcome::Playing) {
+        devices_.look_along(now->state.player.yaw, now->state.player.pitch);  // back at the checkpoint
+    }
+    if (recorder_) {
+        if (auto noted = recorder_->note_tick(command, now->state); !noted) trouble_ = noted.error();
+    }
+    hud_.note_tick(*session_.level, *now);
+    if (sound_) sound_->note_tick(*session_.level, *now);
+}
+
+void Loop::draw() {
+    const glm::ivec2 size = resolution_.size_for(window_.framebuffer_size());
+    const std::shared_ptr<const world::Snapshot> now = session_.simulation->snapshot();
+    const render::Camera camera = player_camera(now->state.player);
+    frame_watch_.begin_round();
+    if (size.x > 0) {
+        frame_watch_.enter("render");
+        const Clock::time_point start = Clock::now();
+        view_.resize(size.x, size.y);
+        view_.expose({*session_.level, *now, *session_.prepared}, camera, {}, frame_, *session_.jobs);
+        frame_watch_.enter("filter");
+        view_.develop(frame_, picture_seconds_, settings_.brightness, *session_.jobs);
+        const float ticks_ms = tick_watch_.round_ms() * settings_.frames_a_second / 60.0f;
+        resolution_.note_frame(milliseconds_since(start) + ticks_ms, 1000.0f / settings_.frames_a_second);
+        picture_seconds_ = 0.0f;
+        ++frame_;
+    }
+    frame_watch_.enter("present");
+    window_.begin_frame(view_.picture());
+    draw_ui(camera);
+    window_.end_frame();
+    frame_watch_.end_round();
+}
+
+void Loop::draw_ui(const render::Camera& camera) {
+    const std::shared_ptr<const world::Snapshot> now = session_.simulation->snapshot();
+    const glm::vec2 shown = window_.picture_size();
+    present::draw_hud(window_,
+                      hud_.model(*session_.level, *now, camera, shown.x / shown.y, settings_.shows_captions));
+    if (shows_profiler_) {
+        present::ProfileModel model = profile_model(frame_watch_, tick_watch_, view_.film().stats);
+        const glm::ivec2 window_size = window_.framebuffer_size();
+        model.machine = fmt::format("{} threads, {}, {}x{} -> {}x{}", session_.jobs->threads(),
+                                    rc::isa_name(rc::active_isa()), view_.picture().width,
+                                    view_.picture().height, window_size.x, window_size.y);
+        present::draw_profiler(model);
+    }
+    if (is_paused_) {
+        const std::string note =
+            recorder_ ? "this run is recorded in " + recorder_->path().string() : std::string();
+        obey(present::draw_pause_menu(settings_, note));
+        if (sound_) sound_->set_volume(settings_.volume);
+    }
+}
+
+void Loop::obey(present::MenuAction action) {
+    switch (action) {
+        case present::MenuAction::None:
+            return;
+        case present::MenuAction::Resume:
+            set_paused(false);
+            return;
+        case present::MenuAction::Quit:
+            wants_to_quit_ = true;
+            return;
+        case present::MenuAction::RestartLevel:
+            break;
+    }
+    // A new run, and a recording of its own.
+    if (recorder_) {
+        if (auto finished = recorder_->finish(); !finished) trouble_ = finished.error();
+    }
+    recorder_.reset();
+    watched_next_ = 0;
+    session_.restart(seed_);
+    const world::PlayerState& player = session_.simulation->state().player;
+    devices_.look_along(player.yaw, player.pitch);
+    if (auto begun = begin_recording(fresh_recording_path(level_name_)); !begun) trouble_ = begun.error();
+    set_paused(false);
+}
+
+}  // namespace gh::app

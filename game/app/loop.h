@@ -1,0 +1,72 @@
+// app/loop.h - the game in its window: the only place where time passes by the clock.
+//
+// Sixty ticks for every second that passes, at most a few a picture: under overload the game slows, it never skips.
+// Commands come from the devices, or from a recording that is watched.
+#pragma once
+
+#include "app/hud_model.h"
+#include "app/profile.h"
+#include "app/recording.h"
+#include "app/resolution.h"
+#include "app/session.h"
+#include "app/sound.h"
+#include "app/view.h"
+#include "input/devices.h"
+#include "present/menu.h"
+#include "present/window.h"
+
+#include <optional>
+#include <vector>
+
+namespace gh::app {
+
+class Loop {
+  public:
+    // Borrows the session and the window. `watched`: commands to play instead of the devices', then the window closes.
+    Loop(Session& session, present::Window& window, std::string level_name,
+         std::optional<std::vector<input::Command>> watched = std::nullopt);
+    ~Loop();
+
+    // Until the player quits. An error is a recording that can no longer be written.
+    [[nodiscard]] Result<void> run(const std::filesystem::path& record_to);
+
+  private:
+    void handle_keys();
+    void set_paused(bool is_paused);
+    void advance_time();
+    void run_tick();
+    void draw();
+    void draw_ui(const render::Camera& camera);
+    void obey(present::MenuAction action);
+    Result<void> begin_recording(const std::filesystem::path& path);
+    [[nodiscard]] input::Command next_command();
+    [[nodiscard]] bool is_watching() const { return watched_.has_value(); }
+
+    Session& session_;
+    present::Window& window_;
+    std::string level_name_;
+    std::optional<std::vector<input::Command>> watched_;
+    std::size_t watched_next_ = 0;
+
+    input::Devices devices_;
+    present::MenuSettings settings_;
+    std::optional<Recorder> recorder_;
+    std::optional<Error> trouble_;
+    std::unique_ptr<Sound> sound_;
+    HudReader hud_;
+    View view_{8, 8};
+    Resolution resolution_;
+    Stopwatch frame_watch_;
+    Stopwatch tick_watch_;
+
+    Clock::time_point last_time_ = Clock::now();
+    float owed_seconds_ = 0.0f;     // of simulation
+    float picture_seconds_ = 0.0f;  // since the last picture
+    std::uint32_t frame_ = 0;
+    std::uint32_t seed_ = 0;
+    bool is_paused_ = false;
+    bool shows_profiler_ = false;
+    bool wants_to_quit_ = false;
+};
+
+}  // namespace gh::app

@@ -1,0 +1,84 @@
+#include "app/view.h"
+
+#include "filter/tone_map.h"
+#include "world/eye.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace gh::app {
+
+namespace {
+
+constexpr float kDegree = 0.017453293f;
+constexpr float kLeanRoll = 0.06f;  // radians at a full lean
+
+// Exactly six numbers with commas between them.
+bool read_numbers(const std::string& text, std::array<float, 6>& numbers) {
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const auto [rest, error] = std::from_chars(at, end, numbers[i]);
+        if (error != std::errc() || !std::isfinite(numbers[i])) return false;
+        const bool is_last = i + 1 == numbers.size();
+        if (is_last ? rest != end : rest == end || *rest != ',') return false;
+        at = rest + 1;
+    }
+    return true;
+}
+
+}  // namespace
+
+render::Camera player_camera(const world::PlayerState& player) {
+    return {.position = world::eye_of(player),
+            .yaw = world::radians_from_turn(player.yaw),
+            .pitch = world::radians_from_turn(player.pitch),
+            .roll = -player.lean * kLeanRoll,
+            .fov_y = kPlayerFov};
+}
+
+Result<render::Camera> camera_named(const world::Level& level, const world::Snapshot& snapshot,
+                                    const std::string& text) {
+    if (text.empty()) {
+        return level.viewpoints.empty() ? player_camera(snapshot.state.player)
+                                        : render::camera_from(level.viewpoints[0]);
+    }
+    for (const world::Viewpoint& viewpoint : level.viewpoints) {
+        if (viewpoint.name == text) return render::camera_from(viewpoint);
+    }
+    std::array<float, 6> n{};
+    if (read_numbers(text, n)) {
+        if (!(n[5] > 0.0f && n[5] < 179.0f))
+            return Error{"--camera: the field of view " + text + " ends in is not between 0 and 179 degrees"};
+        return render::Camera{.position = {n[0], n[1], n[2]},
+                              .yaw = n[3] * kDegree,
+                              .pitch = n[4] * kDegree,
+                              .fov_y = n[5] * kDegree};
+    }
+    std::string known;
+    for (const world::Viewpoint& viewpoint : level.viewpoints)
+        known += (known.empty() ? "" : ", ") + viewpoint.name;
+    return Error{level.name + ": there is no camera '" + text + "'" +
+                 (known.empty() ? "; it has none" : "; it has " + known) +
+                 ", and it is not x,y,z,yaw,pitch,fov"};
+}
+
+void View::resize(int width, int height) {
+    if (film_.radiance.width != width || film_.radiance.height != height) film_ = render::Film(width, height);
+}
+
+void View::expose(const render::SceneView& scene, const render::Camera& camera,
+                  const render::WhittedSettings& settings, std::uint32_t frame, const Jobs& jobs) {
+    render::render_whitted(scene, camera, settings, frame, jobs, film_);
+}
+
+const Image8& View::develop(std::uint32_t frame, float seconds, float stops, const Jobs& jobs) {
+    exposure_ = exposure_ == 0.0f ? filter::metered_exposure(film_.radiance)
+                                  : filter::adapted_exposure(film_.radiance, exposure_, seconds);
+    filter::tone_map(film_.radiance, exposure_ * std::exp2(stops), frame, jobs, picture_);
+    return picture_;
+}
+
+}  // namespace gh::app

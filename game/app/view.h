@@ -1,0 +1,50 @@
+// app/view.h - from a world to the bytes of a picture: camera, renderer, exposure, tone map, in this order.
+#pragma once
+
+#include "base/image.h"
+#include "base/jobs.h"
+#include "base/result.h"
+#include "render/camera.h"
+#include "render/film.h"
+#include "render/whitted.h"
+#include "world/level.h"
+#include "world/snapshot.h"
+
+#include <cstdint>
+#include <string>
+
+namespace gh::app {
+
+inline constexpr float kPlayerFov = 1.2217305f;  // radians, vertical: 70 degrees
+
+// What the player sees.
+[[nodiscard]] render::Camera player_camera(const world::PlayerState& player);
+
+// "": the level's first camera, else where the player starts. A name: that camera. Six numbers
+// x,y,z,yaw,pitch,fov: metres and degrees.
+[[nodiscard]] Result<render::Camera> camera_named(const world::Level& level, const world::Snapshot& snapshot,
+                                                  const std::string& text);
+
+// One viewer's eye: remembers the exposure it has adapted to.
+class View {
+  public:
+    View(int width, int height) : film_(width, height) {}
+    void resize(int width, int height);
+
+    // Fills the film.
+    void expose(const render::SceneView& scene, const render::Camera& camera,
+                const render::WhittedSettings& settings, std::uint32_t frame, const Jobs& jobs);
+    // The film as a screen shows it. `seconds` since the last picture: the eye adapts, the first time at once. `stops`
+    // brightens.
+    const Image8& develop(std::uint32_t frame, float seconds, float stops, const Jobs& jobs);
+
+    [[nodiscard]] const render::Film& film() const { return film_; }
+    [[nodiscard]] const Image8& picture() const { return picture_; }
+
+  private:
+    render::Film film_;
+    Image8 picture_;
+    float exposure_ = 0.0f;  // 0: none yet
+};
+
+}  // namespace gh::app
