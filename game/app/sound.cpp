@@ -1,0 +1,94 @@
+#include "app/sound.h"
+
+#include "app/assets.h"
+#include "audio/acoustics.h"
+#include "audio/mixer.h"
+#include "audio/sound_bank.h"
+#include "audio/soundscape.h"
+#include "sense/hearing.h"
+#include "world/eye.h"
+
+#include <glm/geometric.hpp>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace gh::app {
+
+struct Sound::Data {
+    audio::Mixer mixer;
+    audio::Soundscape soundscape;
+    bool is_loopback = false;
+    std::vector<audio::Heard> heard;
+    std::array<float, 2 * audio::kFramesPerTick> tick{};
+};
+
+namespace {
+
+audio::Ear ear_of(const world::PlayerState& player) {
+    const glm::vec3 look = world::look_of(player);
+    const glm::vec3 right = world::right_of_yaw(world::radians_from_turn(player.yaw));
+    return {.position = world::eye_of(player), .forward = look, .up = glm::cross(right, look)};
+}
+
+Result<audio::SoundBank> bundled_sounds() {
+    const auto assets = find_assets();
+    if (!assets) return assets.error();
+    return audio::SoundBank::load(*assets / "sounds");
+}
+
+}  // namespace
+
+Sound::Sound(std::unique_ptr<Data> data) : data_(std::move(data)) {}
+Sound::~Sound() = default;
+
+Result<std::unique_ptr<Sound>> Sound::open_device() {
+    auto bank = bundled_sounds();
+    if (!bank) return bank.error();
+    auto mixer = audio::Mixer::open_device(*bank);
+    if (!mixer) return mixer.error();
+    return std::unique_ptr<Sound>(
+        new Sound(std::make_unique<Data>(Data{.mixer = *std::move(mixer),
+                                              .soundscape = audio::Soundscape(*bank),
+                                              .is_loopback = false,
+                                              .heard = {}})));
+}
+
+Result<std::unique_ptr<Sound>> Sound::open_loopback() {
+    auto bank = bundled_sounds();
+    if (!bank) return bank.error();
+    auto mixer = audio::Mixer::open_loopback(*bank);
+    if (!mixer) return mixer.error();
+    return std::unique_ptr<Sound>(
+        new Sound(std::make_unique<Data>(Data{.mixer = *std::move(mixer),
+                                              .soundscape = audio::Soundscape(*bank),
+                                              .is_loopback = true,
+                                              .heard = {}})));
+}
+
+void Sound::note_tick(const world::Level& level, const world::Snapshot& now) {
+    Data& d = *data_;
+    const audio::Ear ear = ear_of(now.state.player);
+    d.heard.clear();
+    for (const audio::Source& source : d.soundscape.sources(level, now.state, ear.position)) {
+        d.heard.push_back(
+            source.is_everywhere
+                ? audio::heard_everywhere(source, ear)
+                : audio::heard_by(source, sense::hear(level, *now.scene, source.position, ear.position)));
+    }
+    d.mixer.tick(ear, d.heard);
+    if (d.is_loopback) d.mixer.render(d.tick);
+}
+
+void Sound::set_volume(float volume) {
+    data_->mixer.set_volume(volume);
+}
+void Sound::set_paused(bool is_paused) {
+    data_->mixer.set_paused(is_paused);
+}
+std::span<const float> Sound::rendered_tick() {
+    return data_->tick;
+}
+
+}  // namespace gh::app
