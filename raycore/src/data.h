@@ -18,7 +18,7 @@ namespace rc {
 struct Blas::Data {
     kernel::BlasView view() const {
         kernel::BlasView v{nodes.data(), leaves.data(), root, {}, {}};
-        for (int a = 0; a < 3; ++a) {
+        for (std::size_t a = 0; a < 3; ++a) {
             v.min[a] = bounds.min[a];
             v.max[a] = bounds.max[a];
         }

@@ -1,6 +1,6 @@
 // raycore/mesh.h - triangles as they come in, and what is wrong with them.
 //
-// Bad input  a triangle with an index out of range, a vertex that is NaN or infinite, or no area is dropped
+// Bad input  a triangle with an index out of range, a vertex that is NaN, infinite or beyond 2^60, or no area is dropped
 //            and counted; queries never meet it and primitive ids of the others do not change.
 #pragma once
 
@@ -11,7 +11,10 @@
 
 namespace rc {
 
-// Borrowed: valid while the caller's arrays are. At most 2^31 - 1 triangles and as many vertices.
+// More triangles than this are a contract violation, and an empty Blas in release.
+inline constexpr std::size_t kMaxTriangles = (std::size_t{1} << 28) - 1;
+
+// Borrowed: valid while the caller's arrays are.
 struct MeshView {
     std::span<const glm::vec3> positions;
     std::span<const glm::uvec3> triangles;

@@ -3,8 +3,8 @@
 // Cost      commit O(instances log instances), every tick.
 // Threads   a SceneBuilder belongs to one thread; a committed Scene never changes and is read by any number.
 // Same bits the Scene depends on the instances in their order only.
-// Bad input an instance with a singular or non-finite transform, or an empty Blas, is kept under its id but
-//           never met; dropped_instances() counts them.
+// Bad input an instance with a singular or non-finite transform (stretched by more than 1e7:1, or reaching beyond 2^60
+//           counts as such), or without triangles, is kept under its id but never met; dropped_instances() counts them.
 #pragma once
 
 #include <array>

@@ -24,7 +24,7 @@ inline constexpr std::uint32_t kEmptyTree = 0xFFFFFFFFu;
 struct alignas(64) WideNode {
     float bounds[6][kWidth];  // min x, max x, min y, max y, min z, max z
     std::uint32_t child[kWidth];
-    std::uint32_t layers[kWidth];  // TLAS: layers met below; BLAS: unused
+    std::uint32_t layers[kWidth];  // TLAS: layers met below; BLAS: nodes in the subtree. 0 in an empty lane
 };
 static_assert(sizeof(WideNode) == 256);
 
@@ -51,5 +51,42 @@ struct SceneView {
     float min[3] = {0, 0, 0};
     float max[3] = {0, 0, 0};
 };
+
+// rc::Ray and rc::Hit as kernels see them; query.cpp asserts that they are the same bytes.
+struct __attribute__((may_alias)) RayIn {
+    float origin[3];
+    float direction[3];
+    float t_min;
+    float t_max;
+    std::uint32_t skip_instance;
+    std::uint32_t skip_primitive;
+};
+struct __attribute__((may_alias)) HitOut {
+    float t;
+    float u;
+    float v;
+    std::uint32_t primitive;
+    std::uint32_t instance;
+};
+
+struct Counts {
+    std::uint64_t instances = 0;
+    std::uint64_t nodes = 0;
+    std::uint64_t leaves = 0;
+};
+
+// Spans come as pointer and length. A bad ray is a miss. `counts` may be null.
+struct Kernels {
+    void (*closest)(const SceneView&, const RayIn* rays, std::uint64_t n, std::uint32_t layers, HitOut* hits,
+                    Counts* counts);
+    void (*any)(const SceneView&, const RayIn* rays, std::uint64_t n, std::uint32_t layers, std::uint8_t* is_hit,
+                Counts* counts);
+    std::uint32_t (*crossings)(const SceneView&, const RayIn& ray, std::uint32_t layers, HitOut* out,
+                               std::uint32_t capacity);
+};
+
+extern const Kernels kScalarKernels;
+extern const Kernels kAvx2Kernels;
+extern const Kernels kAvx512Kernels;
 
 }  // namespace rc::kernel

@@ -1,0 +1,27 @@
+// collapse.h - a binary tree made eight wide, in the layout the kernels walk.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "binned_builder.h"
+#include "kernels/kernel_abi.h"
+
+namespace rc {
+
+struct WideTree {
+    std::vector<kernel::WideNode> nodes;  // a parent stands before its children
+    std::uint32_t root = kernel::kEmptyTree;
+};
+
+// BLAS leaves are ranges of refs (see kernel_abi.h).
+[[nodiscard]] WideTree collapse_blas(const BinaryNode* binary);
+
+// TLAS leaves are single refs and name their items; `layers[item]` is gathered upwards.
+[[nodiscard]] WideTree collapse_tlas(const BinaryNode* binary, const BuildRef* refs,
+                                     const std::vector<std::uint32_t>& layers);
+
+// No box: met by nothing.
+void clear_lane(kernel::WideNode& node, int lane, std::uint32_t harmless_leaf);
+
+}  // namespace rc

@@ -1,0 +1,10 @@
+// dispatch.h - the kernels that answer: chosen once a query or a batch, never inside one.
+#pragma once
+
+#include "kernels/kernel_abi.h"
+
+namespace rc {
+
+[[nodiscard]] const kernel::Kernels& active_kernels();
+
+}  // namespace rc

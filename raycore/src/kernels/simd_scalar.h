@@ -1,0 +1,57 @@
+// kernels/simd_scalar.h - eight floats in plain C++: what every other ISA must equal in every bit.
+#pragma once
+
+#define RC_ISA isa_scalar
+
+namespace rc::kernel::RC_ISA {
+
+struct Float {
+    float lane[8];
+};
+
+template <class Op>
+static inline Float each(Op op) {
+    Float r;
+    for (int i = 0; i < 8; ++i) r.lane[i] = op(i);
+    return r;
+}
+
+static inline Float load(const float* p) {
+    return each([&](int i) { return p[i]; });
+}
+static inline void store(float* p, Float a) {
+    for (int i = 0; i < 8; ++i) p[i] = a.lane[i];
+}
+static inline Float splat(float a) {
+    return each([&](int) { return a; });
+}
+static inline Float operator-(Float a, Float b) {
+    return each([&](int i) { return a.lane[i] - b.lane[i]; });
+}
+static inline Float operator*(Float a, Float b) {
+    return each([&](int i) { return a.lane[i] * b.lane[i]; });
+}
+// The second operand when either is NaN, as the machine instructions have it.
+static inline Float min(Float a, Float b) {
+    return each([&](int i) { return a.lane[i] < b.lane[i] ? a.lane[i] : b.lane[i]; });
+}
+static inline Float max(Float a, Float b) {
+    return each([&](int i) { return a.lane[i] > b.lane[i] ? a.lane[i] : b.lane[i]; });
+}
+// Fused or not as the ISA likes: for box tests alone, whose padding covers either rounding.
+static inline Float about_fma(Float a, Float b, Float c) {
+    return each([&](int i) { return a.lane[i] * b.lane[i] + c.lane[i]; });
+}
+static inline std::uint32_t less_equal_bits(Float a, Float b) {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < 8; ++i) bits |= std::uint32_t{a.lane[i] <= b.lane[i]} << i;
+    return bits;
+}
+// Lanes where a < 0 and b > 0.
+static inline std::uint32_t opposite_bits(Float a, Float b) {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < 8; ++i) bits |= std::uint32_t{a.lane[i] < 0.0f && b.lane[i] > 0.0f} << i;
+    return bits;
+}
+
+}  // namespace rc::kernel::RC_ISA

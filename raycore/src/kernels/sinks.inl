@@ -1,0 +1,95 @@
+// kernels/sinks.inl - what each query does with a hit, and the kernel table of this ISA.
+
+namespace rc::kernel::RC_ISA {
+
+inline constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
+inline constexpr float kLargest = 0x1.fffffep127f;  // t beyond it is infinite: a miss
+
+static inline float finite_limit(float t_max) { return t_max < kLargest ? t_max : kLargest; }
+
+static inline HitOut to_hit(const Candidate& c) {
+    return {c.t, float(c.weight1 / c.weight_sum), float(c.weight2 / c.weight_sum), c.primitive, c.instance};
+}
+
+// Keeps the nearest; equal t keeps the lower instance, then the lower primitive.
+struct ClosestSink {
+    float t_min, t_limit;
+    Candidate best;
+
+    bool take(const Candidate& c) {
+        const bool lower =
+            c.instance < best.instance || (c.instance == best.instance && c.primitive < best.primitive);
+        if (c.t < t_limit || lower) {
+            best = c;
+            t_limit = c.t;
+        }
+        return false;
+    }
+};
+
+struct AnySink {
+    float t_min, t_limit;
+    bool is_hit = false;
+
+    bool take(const Candidate&) { return is_hit = true; }
+};
+
+// Keeps the nearest `capacity` in order. A primitive met twice (its pieces in two leaves) counts once.
+struct CrossingsSink {
+    float t_min, t_limit;
+    HitOut* out;
+    std::uint32_t capacity;
+    std::uint32_t count = 0;
+
+    static bool precedes(const HitOut& a, const HitOut& b) {
+        if (a.t != b.t) return a.t < b.t;
+        return a.instance != b.instance ? a.instance < b.instance : a.primitive < b.primitive;
+    }
+
+    bool take(const Candidate& c) {
+        const HitOut hit = to_hit(c);
+        std::uint32_t at = count;
+        while (at > 0 && precedes(hit, out[at - 1])) --at;
+        const bool known = at > 0 && !precedes(out[at - 1], hit);
+        if (known || at == capacity) return false;
+        if (count < capacity) ++count;
+        for (std::uint32_t i = count - 1; i > at; --i) out[i] = out[i - 1];
+        out[at] = hit;
+        if (count == capacity) t_limit = out[count - 1].t;
+        return false;
+    }
+};
+
+static void closest(const SceneView& scene, const RayIn* rays, std::uint64_t n, std::uint32_t layers, HitOut* hits,
+                    Counts* counts) {
+    Counts sum;
+    for (std::uint64_t i = 0; i < n; ++i) {
+        ClosestSink sink{rays[i].t_min, finite_limit(rays[i].t_max), {}};
+        sink.best.primitive = sink.best.instance = kNobody;
+        if (is_good(rays[i])) walk_scene(scene, rays[i], layers, sink, sum);
+        const bool miss = sink.best.primitive == kNobody;
+        hits[i] = miss ? HitOut{__builtin_inff(), 0.0f, 0.0f, kNobody, kNobody} : to_hit(sink.best);
+    }
+    if (counts != nullptr) *counts = sum;
+}
+
+static void any(const SceneView& scene, const RayIn* rays, std::uint64_t n, std::uint32_t layers, std::uint8_t* is_hit,
+                Counts* counts) {
+    Counts sum;
+    for (std::uint64_t i = 0; i < n; ++i) {
+        AnySink sink{rays[i].t_min, finite_limit(rays[i].t_max)};
+        if (is_good(rays[i])) walk_scene(scene, rays[i], layers, sink, sum);
+        is_hit[i] = sink.is_hit;
+    }
+    if (counts != nullptr) *counts = sum;
+}
+
+static std::uint32_t crossings(const SceneView& scene, const RayIn& ray, std::uint32_t layers, HitOut* out,
+                               std::uint32_t capacity) {
+    Counts sum;
+    CrossingsSink sink{ray.t_min, finite_limit(ray.t_max), out, capacity};
+    if (is_good(ray) && capacity > 0) walk_scene(scene, ray, layers, sink, sum);
+    return sink.count;
+}
+
+}  // namespace rc::kernel::RC_ISA

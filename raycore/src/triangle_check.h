@@ -1,0 +1,19 @@
+// triangle_check.h - which triangles are worth keeping: one answer for build, refit and report.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <glm/vec3.hpp>
+
+namespace rc {
+
+// Beyond 2^60 products of differences would leave single precision; such a vertex counts as infinite.
+inline constexpr float kLargestCoordinate = 0x1p60f;
+
+enum class TriangleFault { None, IndexOutOfRange, NotFinite, ZeroArea };
+
+[[nodiscard]] TriangleFault fault_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
+[[nodiscard]] TriangleFault fault_of(std::span<const glm::vec3> positions, const glm::uvec3& triangle);
+
+}  // namespace rc
