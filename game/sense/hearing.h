@@ -46,10 +46,6 @@ struct Transmission {
 // Level at the ear, in dB, of a noise of `loudness_db` at 1 m with the same power in each band.
 [[nodiscard]] float level_db(float loudness_db, const Transmission& transmission);
 
-// Sum over the walls between two points of their transmission losses, dB per band.
-[[nodiscard]] std::array<float, world::kBands> wall_loss_db(const world::Level& level, const rc::Scene& scene,
-                                                            const glm::vec3& from, const glm::vec3& to);
-
 // Loss of a sound bent over an edge that makes its way `extra_metres` longer (>= 0) at `frequency` Hz: 5 dB
 // at the edge of the shadow, 24 dB at most.
 [[nodiscard]] float barrier_loss_db(float extra_metres, float frequency);

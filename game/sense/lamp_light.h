@@ -7,7 +7,7 @@
 //           is seen. Rect: one ray a quarter; the unshadowed integral by 4 x 4 Gauss points (1e-3 for a lamp
 //           as wide as it is far away; see tests). Fixed samples: no noise, hence no flicker, for a light gem
 //           to show.
-// Glass     takes its share at every surface crossed: Fresnel, transmission, tint, and absorption in between.
+// Glass     takes its share: glass.h.
 // Its bulb  never shadows a lamp: a ray that meets the lamp's own part has arrived.
 // Cost      1 to 4 rays a probe and lamp in range. Threads: pure. Same bits: no libm, sums in index order.
 #pragma once
@@ -37,11 +37,5 @@ void irradiance_from_lamp(const world::Level& level, const rc::Scene& scene, std
 // The sum over all lamps that shine now.
 void irradiance(const world::Level& level, const world::Snapshot& snapshot, std::span<const Probe> probes,
                 std::span<glm::vec3> out);
-
-// Share of the light along `from` -> `to` that arrives, per colour: 0 behind anything opaque; glass tints it.
-// `ignored_part` (kNoIndex: none) ends the way where it is met.
-[[nodiscard]] glm::vec3 light_transmittance(const world::Level& level, const rc::Scene& scene,
-                                            const glm::vec3& from, const glm::vec3& to,
-                                            std::uint32_t ignored_part = world::kNoIndex);
 
 }  // namespace gh::sense

@@ -43,7 +43,8 @@ std::vector<Actor> cast_of(const world::Level& level) {
         actors.push_back({.part = static_cast<std::uint32_t>(p),
                           .guard = part.mover_index,
                           .model = model,
-                          .wardrobe = wardrobes[model]});
+                          .wardrobe = wardrobes[model],
+                          .worn = nullptr});
     }
     return actors;
 }
