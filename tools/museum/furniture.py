@@ -1,0 +1,165 @@
+"""Things people sit on, stand behind or must not touch: benches, desks, shelves, ropes, picture frames, vitrines."""
+import math
+
+import meshkit
+import mirrors
+import scene
+import statues
+from meshkit import Shape, ball, block, joined, lathe, slab, tube
+
+
+def bench(length=1.6):
+    """Upholstered, on turned legs: high enough to crouch behind."""
+    legs = [lathe([(0.0, 0.0), (0.03, 0.0), (0.022, 0.06), (0.035, 0.12), (0.028, 0.30), (0.04, 0.36), (0.0, 0.36)], "oak_dark", 12).moved(x, y)
+            for x in (-length / 2 + 0.1, length / 2 - 0.1) for y in (-0.17, 0.17)]
+    return joined(legs + [slab(length, 0.48, 0.07, "oak_dark", 0.012, 0.34), slab(length - 0.02, 0.46, 0.11, "velvet_red", 0.04, 0.40)])
+
+
+def settee():
+    """The round settee of a great gallery: a velvet ring about a back that carries an urn."""
+    seat = lathe([(0.0, 0.0), (1.05, 0.0), (1.08, 0.04), (1.05, 0.12), (1.02, 0.14), (1.06, 0.2), (1.06, 0.38), (1.00, 0.44), (0.6, 0.45), (0.0, 0.45)],
+                 "velvet_blue", 40)
+    back = lathe([(0.58, 0.45), (0.52, 0.55), (0.44, 0.95), (0.46, 1.0), (0.40, 1.05), (0.0, 1.05)], "velvet_blue", 40,
+                 lambda a, k: 1.0 - 0.05 * abs(math.sin(8 * a)) * (1 if k in (1, 2) else 0))
+    rim = lathe([(0.0, 1.04), (0.44, 1.04), (0.46, 1.07), (0.44, 1.10), (0.0, 1.10)], "gilt", 36)
+    return joined([seat, back, rim, statues.urn(0.75).moved(0, 0, 1.10)])
+
+
+def rope_posts(path, closed=False):
+    """Brass posts joined by sagging velvet ropes."""
+    shape = Shape()
+    post = lathe([(0.0, 0.0), (0.16, 0.0), (0.16, 0.015), (0.05, 0.035), (0.022, 0.06), (0.02, 0.88), (0.035, 0.90), (0.022, 0.93), (0.04, 0.96),
+                  (0.03, 1.0), (0.0, 1.01)], "brass", 20)
+    for x, y in path:
+        shape.add(post.moved(x, y))
+    ends = path + path[:1] if closed else path
+    for (ax, ay), (bx, by) in zip(ends, ends[1:]):
+        sag = []
+        for i in range(13):
+            t = i / 12
+            sag.append((ax + (bx - ax) * t, ay + (by - ay) * t, 0.86 - 0.22 * (1 - (2 * t - 1) ** 2)))
+        shape.add(tube(sag, 0.022, "velvet_red", 8))
+    return shape
+
+
+def desk(length=1.8):
+    parts = [slab(length, 0.8, 0.045, "oak_dark", 0.012, 0.74), slab(length - 0.3, 0.5, 0.004, "leather_green", 0.0, 0.785)]
+    for side in (-1, 1):
+        x = side * (length / 2 - 0.26)
+        parts.append(block(x - 0.22, -0.36, 0.0, x + 0.22, 0.36, 0.74, "oak_dark", 0.012))
+        for k in range(3):
+            z = 0.10 + k * 0.21
+            parts += [block(x - 0.18, 0.355, z, x + 0.18, 0.375, z + 0.18, "oak_dark", 0.008), ball(0.014, "brass", 10, 6).moved(x, 0.385, z + 0.09)]
+    parts.append(block(-length / 2 + 0.4, -0.34, 0.2, length / 2 - 0.4, -0.30, 0.74, "oak_dark", 0.006))
+    return joined(parts)
+
+
+def chair():
+    legs = [tube([(x, y, 0.0), (x * 0.9, y * 0.9, 0.45)], 0.02, "oak_dark", 8) for x in (-0.2, 0.2) for y in (-0.2, 0.2)]
+    back = [tube([(x, -0.19, 0.45), (x * 1.05, -0.26, 0.95)], 0.018, "oak_dark", 8) for x in (-0.19, 0.19)]
+    return joined(legs + back + [slab(0.46, 0.44, 0.05, "leather", 0.02, 0.44), block(-0.22, -0.275, 0.66, 0.22, -0.235, 0.96, "leather", 0.015)])
+
+
+def counter(length):
+    """A long panelled counter with a marble top, its public side to -y."""
+    parts = [slab(length, 0.62, 0.06, "marble_black", 0.015, 1.0), slab(length - 0.1, 0.5, 0.9, "oak", 0.01, 0.1), slab(length - 0.06, 0.46, 0.1, "oak_dark", 0.01)]
+    count = max(1, int(length / 0.7))
+    for i in range(count):
+        x = -length / 2 + 0.1 + (length - 0.2) * i / count
+        parts.append(block(x + 0.05, -0.27, 0.2, x + (length - 0.2) / count - 0.05, -0.245, 0.92, "oak", 0.012))
+    return joined(parts)
+
+
+def bookcase(width, height, seed):
+    """Shelves full of books; no two of a row alike, the same in every build."""
+    import random
+    pick = random.Random(seed)
+    parts = [block(-width / 2, -0.02, 0, width / 2, 0.0, height, "oak_dark", 0.004), block(-width / 2 - 0.05, -0.40, 0, width / 2 + 0.05, 0, 0.12, "oak_dark", 0.015),
+             block(-width / 2 - 0.08, -0.44, height - 0.1, width / 2 + 0.08, 0, height + 0.04, "oak_dark", 0.03)]
+    for x in (-width / 2, width / 2 - 0.04):
+        parts.append(block(x, -0.36, 0.1, x + 0.04, 0, height - 0.05, "oak_dark", 0.006))
+    z = 0.12
+    while z + 0.3 < height - 0.1:
+        parts.append(block(-width / 2, -0.35, z, width / 2, 0, z + 0.03, "oak_dark", 0.005))
+        x = -width / 2 + 0.06
+        while x < width / 2 - 0.12:
+            thick, tall = pick.uniform(0.025, 0.07), pick.uniform(0.20, 0.29)
+            if pick.random() < 0.07:
+                x += pick.uniform(0.05, 0.18)
+                continue
+            colour = pick.choice(["book_red", "book_green", "book_blue", "book_tan", "leather", "book_tan"])
+            depth = pick.uniform(0.18, 0.23)
+            parts.append(block(x, -0.30, z + 0.03, x + thick - 0.003, -0.30 + depth, z + 0.03 + tall, colour, 0.0))
+            x += thick
+        z += 0.36
+    return joined(parts)
+
+
+def coat_rack(length):
+    parts = [block(-length / 2, -0.04, 1.70, length / 2, 0, 1.84, "oak_dark", 0.01), block(-length / 2, -0.30, 1.98, length / 2, 0, 2.02, "oak_dark", 0.01)]
+    for i in range(int(length / 0.3)):
+        x = -length / 2 + 0.15 + 0.3 * i
+        parts.append(tube([(x, -0.04, 1.74), (x, -0.12, 1.72), (x, -0.15, 1.78)], 0.009, "brass", 8))
+        if i % 4 in (1, 2):
+            coat = lathe([(0.02, 0.75), (0.17, 0.78), (0.15, 1.2), (0.17, 1.5), (0.10, 1.66), (0.0, 1.70)], "coat" if i % 3 else "dark_cloth", 18,
+                         lambda a, k: 1.0 + 0.10 * math.sin(5 * a) * (k < 3))
+            parts.append(coat.scaled(1, 0.55, 1).moved(x, -0.14))
+    return joined(parts)
+
+
+def crates(seed):
+    import random
+    pick = random.Random(seed)
+    parts = []
+    for x, y, z, s, turn in ((0, 0, 0, 0.8, 8), (0.95, 0.1, 0, 0.62, -14), (0.1, 0.05, 0.8, 0.55, 20)):
+        h = s / 2
+        box = [block(-h, -h, 0.02, h, h, s, "oak", 0.004)]
+        for e in (-1, 1):
+            for f in (-1, 1):
+                box += [block(e * h - 0.05, f * h - 0.05, 0, e * h + 0.05, f * h + 0.05, s + 0.02, "oak_dark", 0.006)]
+            box += [block(-h, e * h - 0.03, s - 0.07, h, e * h + 0.03, s + 0.02, "oak_dark", 0.006), block(e * h - 0.03, -h, s - 0.07, e * h + 0.03, h, s + 0.02, "oak_dark", 0.006)]
+        parts.append(joined(box).turned(turn + pick.uniform(-3, 3)).moved(x, y, z))
+    return joined(parts)
+
+
+def hang_picture(name, art, at, turn, width):
+    """A gilded frame whose picture faces -y when turned by 0; `at` is its middle, on the wall."""
+    import paintings
+    height = width * (1.25 if art in paintings.TALL_NAMES else 0.75)
+    shape = mirrors.framed(width, height, "art_" + art, [(0.0, 0.0), (0.0, 0.03), (0.03, 0.035), (0.06, 0.075), (0.10, 0.06), (0.13, 0.03), (0.13, 0.0)])
+    shape.add(block(-width / 2, 0.0, -height / 2, width / 2, 0.012, height / 2, "oak_dark", 0.0))
+    shape.add(block(-0.14, -0.035, -height / 2 - 0.115, 0.14, -0.02, -height / 2 - 0.06, "brass", 0.004))
+    a = math.radians(turn)
+    scene.mesh("picture_" + name, shape, (at[0] + 0.02 * math.sin(a), at[1] - 0.02 * math.cos(a), at[2]), turn)
+
+
+def glass_box(w, d, z0, z1, t=0.008):
+    """Four upright panes, mitred by a hair's gap so that no two touch."""
+    g = t + 0.0006
+    return joined([block(-w / 2, -d / 2, z0, w / 2, -d / 2 + t, z1, "glass", 0.0), block(-w / 2, d / 2 - t, z0, w / 2, d / 2, z1, "glass", 0.0),
+                   block(-w / 2, -d / 2 + g, z0, -w / 2 + t, d / 2 - g, z1, "glass", 0.0), block(w / 2 - t, -d / 2 + g, z0, w / 2, d / 2 - g, z1, "glass", 0.0)])
+
+
+def vitrine(name, at, turn=0.0, width=0.72, top=1.18):
+    """The lens's vitrine: a marble-footed table, glass walls, and a brass-edged glass lid hinged at the back (+y)."""
+    w, z0 = width, 0.86
+    table = joined([slab(w + 0.14, w + 0.14, 0.10, "marble_black", 0.02), slab(w + 0.02, w + 0.02, z0 - 0.16, "oak_dark", 0.015, 0.10),
+                    slab(w + 0.10, w + 0.10, 0.06, "oak_dark", 0.02, z0 - 0.06), slab(w - 0.03, w - 0.03, 0.02, "velvet_blue", 0.008, z0)])
+    for x in (-1, 1):
+        for y in (-1, 1):
+            table.add(block(x * w / 2 - 0.012, y * w / 2 - 0.012, z0, x * w / 2 + 0.012, y * w / 2 + 0.012, top, "brass", 0.003))
+            table.add(lathe([(0.0, 0.10), (0.05, 0.10), (0.035, 0.16), (0.045, 0.3), (0.035, 0.7), (0.05, 0.78), (0.0, 0.8)], "gilt", 14).moved(x * w / 2, y * w / 2))
+    for a in (0, 90, 180, 270):
+        table.add(block(-w / 2 + 0.08, -w / 2 - 0.022, 0.22, w / 2 - 0.08, -w / 2, z0 - 0.16, "oak_dark", 0.012).turned(a))
+    scene.mesh(name, table, at, turn)
+    scene.mesh(name + "_glass", glass_box(w - 0.03, w - 0.03, z0 + 0.001, top), at, turn)
+    hinge = w / 2 + 0.012
+    lid = joined([block(-w / 2 + 0.016, -w - 0.008, 0.004, w / 2 - 0.016, -0.016, 0.012, "glass", 0.0)])
+    for x0, y0, x1, y1 in ((-w / 2 - 0.012, -w - 0.024, w / 2 + 0.012, -w - 0.009), (-w / 2 - 0.012, -0.015, w / 2 + 0.012, 0.0),
+                           (-w / 2 - 0.012, -w - 0.009, -w / 2 + 0.015, -0.015), (w / 2 - 0.015, -w - 0.009, w / 2 + 0.012, -0.015)):
+        lid.add(block(x0, y0, 0.0, x1, y1, 0.018, "brass", 0.003))
+    lid.add(ball(0.018, "brass", 12, 8).moved(0, -w - 0.03, 0.012))
+    a = math.radians(turn)
+    where = (at[0] - hinge * math.sin(a), at[1] + hinge * math.cos(a), at[2] + top + 0.002)
+    scene.mesh(name + "_lid", lid, where, turn, kind="door", axis="x", open_angle_deg=-78.0, open_time_s=1.1, title="Vitrine lid")
+    return at[2] + z0 + 0.02

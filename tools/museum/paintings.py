@@ -1,0 +1,177 @@
+"""The pictures in the gilded frames: painted by formula, each from its own seed, all about light. Arrays are
+[row from the bottom, column, rgb] in sRGB 0..1, 512 wide."""
+import numpy as np
+
+import textures
+from textures import mix
+
+WIDE, TALL = (384, 512), (640, 512)  # rows, columns
+
+
+def _field(shape):
+    rows, columns = shape
+    return np.meshgrid((np.arange(columns) + 0.5) / columns, (np.arange(rows) + 0.5) / rows)
+
+
+def _noise(shape, cells, seed, octaves=5):
+    rows, columns = shape
+    full = textures.noise(1024, cells, seed, octaves)
+    return full[:rows, :columns]
+
+
+def _varnish(picture, seed):
+    """Brush strokes, an aged yellow varnish, and the dark that gathers in corners."""
+    shape = picture.shape[:2]
+    x, y = _field(shape)
+    strokes = (_noise(shape, 96, seed, 3) - 0.5) * 0.16 + (_noise(shape, 24, seed + 1, 3) - 0.5) * 0.10
+    corner = 1.0 - 0.45 * np.clip(np.hypot(x - 0.5, y - 0.5) * 1.5 - 0.25, 0, 1)
+    return picture * (1.0 + strokes)[..., None] * corner[..., None] * np.array((1.0, 0.96, 0.86))
+
+
+def _sky(x, y, low, high, seed, shape, cloud=(0.9, 0.85, 0.8), amount=0.7):
+    picture = mix(low, high, y)
+    billows = np.clip((_noise(shape, 6, seed, 6) - 0.48) * 4, 0, 1)
+    return mix(picture, cloud, billows * amount * (0.4 + 0.6 * y))
+
+
+def _mountains(seed, low, high, near):
+    shape = WIDE
+    x, y = _field(shape)
+    picture = _sky(x, y, low, high, seed, shape)
+    sun = np.hypot((x - 0.68) * 1.33, y - 0.56)
+    picture = mix(picture, (1.0, 0.93, 0.70), np.clip(1.15 - sun * 14, 0, 1) + 0.5 * np.exp(-sun * 7))
+    for layer in range(5):
+        ridge = textures.noise(1024, 3 + layer * 2, seed + 20 + layer, 7)[layer, :512]
+        top = 0.62 - layer * 0.13 + (ridge - 0.5) * (0.42 - layer * 0.05)
+        tone = np.asarray(low) * (1 - layer / 4.5) * 0.75 + np.asarray(near) * layer / 4.0
+        shade = 0.8 + 0.4 * _noise(shape, 20, seed + 40 + layer, 4)
+        picture = np.where((y < top[None, :])[..., None], tone * shade[..., None], picture)
+    return _varnish(picture, seed)
+
+
+def _seascape(seed, night):
+    shape = WIDE
+    x, y = _field(shape)
+    low, high = ((.10, .16, .26), (.03, .05, .12)) if night else ((.95, .62, .35), (.25, .38, .55))
+    light = (0.86, 0.90, 1.0) if night else (1.0, 0.88, 0.6)
+    picture = _sky(x, (y - 0.4) / 0.6, low, high, seed, shape, (.30, .34, .42) if night else (.95, .70, .55), 0.8)
+    disc = np.hypot((x - 0.40) * 1.33, y - 0.70)
+    picture = mix(picture, light, np.clip(1.0 - (disc - 0.045) * 60, 0, 1) + 0.5 * np.exp(-disc * 8))
+    depth = np.clip((0.42 - y) / 0.42, 0.001, 1)
+    waves = np.sin((_noise(shape, 8, seed + 5) * 9 + 1.4 / (depth + 0.05)) * 6.0) * 0.5 + 0.5
+    sea = mix((.02, .05, .09) if night else (.10, .20, .26), (.10, .17, .24) if night else (.45, .42, .38), waves * 0.6)
+    path = np.exp(-((x - 0.40) / (0.03 + 0.16 * depth)) ** 2) * (waves > 0.45) * (0.9 - 0.5 * depth)
+    sea = mix(sea, light, path)
+    picture = np.where((y < 0.42)[..., None], sea, picture)
+    hull = (np.abs(x - 0.70) < 0.075 - (0.43 - y) * 0.6) & (y > 0.385) & (y < 0.43)
+    mast = (np.abs(x - 0.70) < 0.003) & (y >= 0.43) & (y < 0.66)
+    sail = (x > 0.645 + (y - 0.45) * 0.20) & (x < 0.755 - (y - 0.45) * 0.20) & (y > 0.45) & (y < 0.63)
+    picture = np.where(sail[..., None], (.42, .40, .38) if night else (.80, .70, .55), picture)
+    return _varnish(np.where((hull | mast)[..., None], (.04, .03, .03), picture), seed)
+
+
+def _spectrum(seed):
+    """Newton's dark room: a white beam enters from the left, a prism, the seven colours on the wall."""
+    shape = WIDE
+    x, y = _field(shape)
+    picture = mix((.05, .04, .04), (.11, .09, .07), _noise(shape, 5, seed))
+    t = np.clip((x - 0.50) / 0.5, 0, 1)
+    spread = (y - (0.50 - 0.22 * t)) / (0.02 + 0.34 * t)
+    hue = np.clip(0.5 - spread, 0, 1)
+    rainbow = np.stack([np.clip(1.6 - np.abs(hue - c) * 4.4, 0, 1) for c in (0.12, 0.48, 0.85)], -1)
+    picture = np.where(((np.abs(spread) < 0.5) & (x > 0.50))[..., None], picture + rainbow * (0.95 - 0.4 * t)[..., None], picture)
+    beam = np.exp(-((y - 0.58 + (x - 0.45) * 0.16) / 0.012) ** 2) * (x < 0.46)
+    picture = picture + beam[..., None] * np.array((1.0, 0.96, 0.85))
+    height = np.clip((y - 0.36) / 0.32, 0, 1)
+    inside = (np.abs(x - 0.47) < 0.13 * (1 - height)) & (y > 0.36) & (y < 0.68)
+    glassy = mix((.25, .30, .32), (.75, .82, .85), np.clip((x - 0.36) * 4 + _noise(shape, 9, seed) - 0.5, 0, 1))
+    return _varnish(np.where(inside[..., None], 0.5 * picture + 0.6 * glassy, picture), seed)
+
+
+def _portrait(seed, coat, hair, ground):
+    """A sitter lit from the left by one lamp: ellipsoids shaded as a painter of candlelight would."""
+    shape = TALL
+    x, y = _field(shape)
+    x, y = (x - 0.5) * 1.0, (y - 0.5) * 1.25
+    random = np.random.RandomState(seed)
+    lamp = np.array((-0.62, 0.50, 0.60))
+    picture = mix(np.asarray(ground) * 0.35, ground, np.exp(-(x + 0.25) ** 2 * 6) * 0.7 + _noise(shape, 5, seed) * 0.3)
+    w = 0.145 + 0.02 * random.rand()
+    parts = [((0, -0.56, -0.1), (0.42, 0.42, 0.25), coat), ((0, -0.12, 0.0), (0.075, 0.16, 0.09), (.72, .50, .38)),
+             ((0.0, 0.17, -0.06), (w * 1.16, 0.235, 0.2), hair), ((0.004, 0.12, 0.03), (w, 0.205, 0.17), (.84, .62, .48)),
+             ((-0.012, 0.10, 0.175), (0.022, 0.05, 0.05), (.86, .60, .46)),
+             ((-0.055, 0.15, 0.165), (0.022, 0.010, 0.02), (.10, .07, .06)), ((0.045, 0.15, 0.165), (0.022, 0.010, 0.02), (.10, .07, .06)),
+             ((-0.055, 0.185, 0.155), (0.034, 0.008, 0.03), hair), ((0.048, 0.185, 0.155), (0.034, 0.008, 0.03), hair),
+             ((-0.004, 0.018, 0.165), (0.042, 0.012, 0.03), (.62, .28, .24)), ((-0.02, -0.27, 0.1), (0.12, 0.10, 0.08), (.85, .82, .75))]
+    nearest = np.full(shape, -9.0)
+    for centre, radius, colour in parts:
+        u, v = (x - centre[0]) / radius[0], (y - centre[1]) / radius[1]
+        inside = 1 - u * u - v * v
+        depth = np.where(inside > 0, centre[2] + radius[2] * np.sqrt(np.maximum(inside, 0)), -9.0)
+        normal = np.stack([u / radius[0], v / radius[1], np.sqrt(np.maximum(inside, 0)) / radius[2]], -1)
+        normal /= np.linalg.norm(normal, axis=-1, keepdims=True) + 1e-9
+        light = 0.10 + 0.95 * np.clip((normal * lamp / np.linalg.norm(lamp)).sum(-1), 0, 1)
+        front = depth > nearest
+        picture = np.where(front[..., None], np.asarray(colour) * light[..., None], picture)
+        nearest = np.maximum(nearest, depth)
+    return _varnish(picture, seed)
+
+
+def _still_life(seed):
+    """Three glass balls and a flame on a table."""
+    shape = WIDE
+    x, y = _field(shape)
+    picture = mix((.10, .07, .05), (.24, .17, .10), np.exp(-((x - 0.5) ** 2 * 8 + (y - 0.55) ** 2 * 6)))
+    picture = np.where((y < 0.30)[..., None], mix((.16, .09, .05), (.36, .21, .11), np.exp(-(x - 0.5) ** 2 * 7) * (y / 0.3)), picture)
+    picture = np.where(((np.abs(x - 0.5) < 0.022) & (y > 0.25) & (y < 0.56))[..., None], mix((.55, .50, .40), (.95, .88, .70), y * 1.4), picture)
+    flame = np.hypot((x - 0.5) * 2.6, (y - 0.62) * 0.9)
+    picture = picture + (np.exp(-flame * 26) * 2.0)[..., None] * np.array((1.0, 0.72, 0.32)) + np.exp(-flame * 5)[..., None] * np.array((.30, .17, .06))
+    for cx, cy, r, tint in ((0.24, 0.32, 0.14, (.5, .75, .85)), (0.70, 0.29, 0.11, (.9, .55, .3)), (0.86, 0.24, 0.07, (.6, .85, .5))):
+        u, v = (x - cx) / r * 1.333, (y - cy) / r * 1.0
+        d = u * u + v * v
+        rim = np.clip(d, 0, 1) ** 3
+        side = np.clip(0.5 + 0.5 * (u * (cx - 0.5) * 2.2 - v * 0.5), 0, 1)
+        glass = mix((.05, .04, .04), tint, rim * 0.6 + side * 0.5)
+        spark = np.exp(-((u - (0.5 - cx) * 1.2) ** 2 + (v - 0.5) ** 2) * 60)
+        picture = np.where((d < 1)[..., None], glass + spark[..., None] * np.array((1.0, .9, .7)), picture)
+    return _varnish(picture, seed)
+
+
+def _forest(seed):
+    shape = TALL
+    x, y = _field(shape)
+    glow = np.exp(-((x - 0.5) ** 2 * 7 + (y - 0.45) ** 2 * 5))
+    picture = mix((.05, .09, .07), (.80, .74, .46), glow)
+    random = np.random.RandomState(seed)
+    for k in range(46):
+        depth = k / 46.0
+        cx, width = random.rand(), 0.006 + 0.035 * depth ** 2
+        if depth > 0.6 and abs(cx - 0.5) < 0.16:
+            continue
+        bend = (textures.noise(1024, 3, seed + k, 4)[:shape[0], k] - 0.5)[:, None] * 0.10
+        trunk = np.abs(x - cx - bend) < width
+        tone = np.asarray((.42, .40, .26)) * (1 - depth) + np.asarray((.05, .035, .025)) * depth
+        picture = np.where((trunk & (y > 0.10 - 0.1 * depth))[..., None], tone, picture)
+    leaves = np.clip((_noise(shape, 16, seed + 3, 5) - 0.62 + np.clip(y - 0.55, 0, 1) * 0.5) * 9, 0, 1)
+    picture = mix(picture, mix((.03, .07, .03), (.42, .46, .14), _noise(shape, 64, seed + 4, 3) * glow * 1.6), leaves * 0.9)
+    return _varnish(picture, seed)
+
+
+_RECIPES = {
+    "alps": lambda: _mountains(101, (.92, .62, .42), (.28, .36, .55), (.10, .10, .09)),
+    "glen": lambda: _mountains(111, (.70, .74, .70), (.30, .44, .58), (.09, .13, .05)),
+    "dusk": lambda: _mountains(121, (.62, .28, .24), (.10, .12, .26), (.06, .04, .05)),
+    "harbour": lambda: _seascape(131, False), "moonrise": lambda: _seascape(141, True),
+    "prism": lambda: _spectrum(151), "spheres": lambda: _still_life(161), "forest": lambda: _forest(171),
+    "lady": lambda: _portrait(181, (.30, .05, .06), (.22, .11, .05), (.20, .14, .09)),
+    "scholar": lambda: _portrait(182, (.08, .08, .10), (.55, .53, .50), (.16, .15, .11)),
+    "founder": lambda: _portrait(183, (.06, .12, .10), (.10, .06, .04), (.22, .12, .07)),
+    "optician": lambda: _portrait(184, (.14, .10, .22), (.34, .20, .08), (.12, .14, .15)),
+}
+NAMES = sorted(_RECIPES)
+TALL_NAMES = ["forest", "founder", "lady", "optician", "scholar"]
+WIDE_NAMES = [n for n in NAMES if n not in TALL_NAMES]
+
+
+def paint(name):
+    return _RECIPES[name]()

@@ -1,0 +1,200 @@
+"""Pictures of surfaces, synthesised: every one repeats without a seam and comes from a fixed seed. Colours are
+written as sRGB bytes in 0..1; arrays are [row from the bottom, column, rgb], as Blender keeps them."""
+import os
+
+import bpy
+import numpy as np
+
+
+def noise(size, cells, seed, octaves=5, gain=0.5):
+    """Periodic value noise in 0..1: `cells` lattice cells across, each octave twice as fine."""
+    total, weight, amplitude = np.zeros((size, size)), 0.0, 1.0
+    for octave in range(octaves):
+        n = cells * 2 ** octave
+        if n > size // 2:
+            break
+        lattice = np.random.RandomState(seed * 101 + octave).rand(n, n)
+        t = np.arange(size) * n / size
+        i, f = np.floor(t).astype(int), t - np.floor(t)
+        f = f * f * (3.0 - 2.0 * f)
+        a, b = lattice[np.ix_(i % n, i % n)], lattice[np.ix_(i % n, (i + 1) % n)]
+        c, d = lattice[np.ix_((i + 1) % n, i % n)], lattice[np.ix_((i + 1) % n, (i + 1) % n)]
+        fx, fy = f[None, :], f[:, None]
+        total += amplitude * ((a * (1 - fx) + b * fx) * (1 - fy) + (c * (1 - fx) + d * fx) * fy)
+        weight += amplitude
+        amplitude *= gain
+    return total / weight
+
+
+def mix(a, b, t):
+    t = np.clip(t, 0.0, 1.0)[..., None]
+    return np.asarray(a) * (1.0 - t) + np.asarray(b) * t
+
+
+def grid(size):
+    """Columns and rows as 0..1 across the picture."""
+    x = (np.arange(size) + 0.5) / size
+    return np.meshgrid(x, x)
+
+
+def warped(image, amount, seed):
+    """The picture pulled about by noise, by up to `amount` of its width: veins and grain that no ruler drew."""
+    size = image.shape[0]
+    dx = (noise(size, 4, seed) - 0.5) * 2 * amount * size
+    dy = (noise(size, 4, seed + 1) - 0.5) * 2 * amount * size
+    yy, xx = np.mgrid[0:size, 0:size]
+    return image[(yy + dy).astype(int) % size, (xx + dx).astype(int) % size]
+
+
+def marble(size, ground, vein, seed, strength=0.9):
+    veins = np.abs(noise(size, 3, seed, 6, 0.55) - 0.5) * 2
+    fine = np.abs(noise(size, 7, seed + 9, 5) - 0.5) * 2
+    lines = np.clip(1.0 - veins * 14, 0, 1) * 0.8 + np.clip(1.0 - fine * 18, 0, 1) * 0.35
+    clouds = noise(size, 2, seed + 3)
+    return mix(mix(ground, vein, (clouds - 0.35) * 0.45), vein, lines * strength)
+
+
+def plaster(size, colour, seed, roughness=0.10):
+    light = 1.0 + (noise(size, 2, seed) - 0.5) * roughness * 1.4 + (noise(size, 32, seed + 1, 3) - 0.5) * roughness
+    light += (noise(size, 128, seed + 2, 2) - 0.5) * roughness * 0.5
+    return np.asarray(colour) * light[..., None]
+
+
+def grain(size, light, dark, seed):
+    """Wood whose fibres run along the columns' axis (u)."""
+    rows = warped(np.repeat(noise(size, 24, seed, 4)[:, :1], size, axis=1), 0.05, seed + 5)
+    pores = np.repeat(np.random.RandomState(seed).rand(size, size // 32), 32, axis=1) ** 3
+    rings = 0.5 + 0.5 * np.sin(rows * 26.0)
+    return mix(light, dark, rings * 0.55 + pores * 0.3 + noise(size, 3, seed + 7) * 0.2)
+
+
+def _checker(size):
+    x, y = grid(size)
+    n = 8  # tiles across, 0.5 m each
+    ix, iy = np.floor(x * n).astype(int), np.floor(y * n).astype(int)
+    white, black = marble(size, (.80, .78, .74), (.52, .50, .49), 11), marble(size, (.10, .10, .11), (.42, .41, .40), 12, .7)
+    tone = 0.94 + 0.12 * np.random.RandomState(3).rand(n, n)[iy, ix]
+    picture = np.where(((ix + iy) % 2 == 0)[..., None], white, black) * tone[..., None]
+    return _jointed(picture, x * n, y * n, 0.012, (.16, .15, .14))
+
+
+def _jointed(picture, u, v, width, colour):
+    """Darkens the joints where u or v is near a whole number."""
+    near = np.minimum(np.abs(u - np.round(u)), np.abs(v - np.round(v)))
+    return np.where((near < width)[..., None], np.asarray(colour), picture)
+
+
+def _star(size):
+    """The Hall's floor: eight-pointed stars of dark marble, rose at the heart, in white squares."""
+    x, y = grid(size)
+    n = 2
+    u, v = (x * n) % 1 - 0.5, (y * n) % 1 - 0.5
+    r = np.maximum(np.abs(u), np.abs(v))
+    diamond = np.abs(u) + np.abs(v)
+    white, grey = marble(size, (.82, .80, .77), (.55, .53, .52), 21), marble(size, (.34, .36, .40), (.62, .62, .62), 22)
+    rose, black = marble(size, (.55, .30, .26), (.80, .66, .60), 23), marble(size, (.09, .09, .10), (.40, .40, .40), 24, .6)
+    star = np.minimum(np.maximum(r, 0), diamond * 0.70711)
+    picture = np.where((r > 0.46)[..., None], black, white)
+    picture = np.where((star < 0.25)[..., None], grey, picture)
+    picture = np.where((star < 0.14)[..., None], rose, picture)
+    edge = (np.abs(star - 0.25) < 0.006) | (np.abs(star - 0.14) < 0.005) | (np.abs(r - 0.46) < 0.005)
+    return np.where(edge[..., None], np.array((.70, .55, .25)), picture)
+
+
+def _herringbone(size):
+    x, y = grid(size)
+    light, dark = (.52, .34, .18), (.33, .19, .09)
+    bands = 6
+    band = np.floor(x * bands).astype(int)
+    slant = np.where(band % 2 == 0, y + (x * bands % 1) / bands, y - (x * bands % 1) / bands)
+    blocks = 16
+    piece = np.floor(slant * blocks).astype(int) % blocks
+    tone = np.random.RandomState(31).rand(blocks, bands)[piece, band]
+    along = noise(size, 48, 32, 3)
+    picture = mix(light, dark, tone * 0.75 + (along - 0.5) * 0.7)
+    return _jointed(picture, slant * blocks, x * bands, 0.022, (.10, .06, .03))
+
+
+def _squares(size):
+    x, y = grid(size)
+    n, strips = 4, 6
+    ix, iy = np.floor(x * n).astype(int), np.floor(y * n).astype(int)
+    flip = (ix + iy) % 2 == 0
+    along = np.where(flip, y * n % 1, x * n % 1) * strips
+    tone = np.random.RandomState(41).rand(n, n, strips)[iy, ix, np.floor(along).astype(int)]
+    picture = mix((.45, .24, .12), (.22, .10, .05), tone * 0.7 + (noise(size, 40, 42, 3) - 0.5) * 0.6)
+    picture = _jointed(picture, along, along, 0.03, (.08, .04, .02))
+    return _jointed(picture, x * n, y * n, 0.012, (.08, .04, .02))
+
+
+def _flagstones(size):
+    x, y = grid(size)
+    rows = 4
+    row = np.floor(y * rows).astype(int)
+    u = x * 3 + np.array([0.0, 0.5, 0.2, 0.7])[row]
+    tone = np.random.RandomState(51).rand(rows, 3)[row, np.floor(u).astype(int) % 3]
+    picture = plaster(size, (.40, .38, .35), 52, 0.35) * (0.85 + 0.3 * tone)[..., None]
+    return _jointed(picture, u, y * rows, 0.02, (.14, .13, .12))
+
+
+def _damask(size, ground, figure, seed):
+    """A pointed lattice with a flower in every field, woven in two tones of one silk."""
+    x, y = grid(size)
+    u, v = x * 3, y * 2  # two rows, the second shifted by half a flower
+    row = np.floor(v).astype(int)
+    u = (u + 0.5 * (row % 2)) % 1 - 0.5
+    w = v % 1 - 0.5
+    angle, r = np.arctan2(w, u), np.hypot(u * 1.15, w)
+    petals = 0.26 + 0.11 * np.cos(angle * 6) + 0.04 * np.cos(angle * 2 + np.pi)
+    flower = np.clip((petals - r) * 30, 0, 1) - np.clip((petals * 0.55 - r) * 30, 0, 1) * 0.7 + np.clip((0.06 - r) * 40, 0, 1)
+    lattice = np.clip(1.2 - np.abs(np.abs(u) * 1.0 + np.abs(w) * 1.0 - 0.5) * 34, 0, 1) * (r > 0.34)
+    thread = 1.0 + 0.05 * np.sin(y * size * np.pi * 0.5) + (noise(size, 64, seed, 2) - 0.5) * 0.12
+    return mix(ground, figure, flower * 0.8 + lattice * 0.9) * thread[..., None]
+
+
+def _carpet(size):
+    x, y = grid(size)
+    a, b = np.sin(x * 2 * np.pi * 4), np.sin(y * 2 * np.pi * 4)
+    field = mix((.28, .03, .04), (.42, .08, .06), (a * b > 0.35).astype(float))
+    field = mix(field, (.62, .45, .18), ((np.abs(a * b) > 0.80) | (np.abs(np.abs(a) - np.abs(b)) < 0.05)).astype(float) * 0.8)
+    return field * (0.86 + 0.28 * noise(size, 128, 61, 2))[..., None]
+
+
+RECIPES = {
+    "marble_checker": lambda: _checker(1024), "marble_star": lambda: _star(1024),
+    "parquet_herringbone": lambda: _herringbone(1024), "parquet_squares": lambda: _squares(1024),
+    "flagstones": lambda: _flagstones(512), "carpet": lambda: _carpet(512),
+    "marble_white": lambda: marble(512, (.84, .82, .79), (.60, .58, .57), 71, .6),
+    "marble_green": lambda: marble(512, (.07, .17, .13), (.45, .58, .50), 72),
+    "marble_rose": lambda: marble(512, (.60, .38, .33), (.85, .74, .68), 73),
+    "marble_black": lambda: marble(512, (.06, .06, .07), (.55, .50, .42), 74, .7),
+    "oak": lambda: grain(512, (.55, .37, .20), (.34, .20, .10), 81),
+    "oak_dark": lambda: grain(512, (.33, .19, .10), (.16, .085, .045), 82),
+    "plaster_cream": lambda: plaster(512, (.78, .72, .60), 91),
+    "plaster_white": lambda: plaster(512, (.82, .81, .78), 92, 0.06),
+    "plaster_stone": lambda: plaster(512, (.70, .66, .58), 93, 0.16),
+    "plaster_lime": lambda: plaster(512, (.58, .60, .57), 94, 0.22),
+    "damask_red": lambda: _damask(512, (.36, .06, .07), (.52, .13, .11), 95),
+    "damask_green": lambda: _damask(512, (.08, .22, .15), (.16, .34, .22), 96),
+    "damask_blue": lambda: _damask(512, (.10, .14, .28), (.30, .34, .44), 97),
+    "damask_violet": lambda: _damask(512, (.20, .10, .24), (.40, .26, .38), 98),
+}
+
+
+def weave(name):
+    return RECIPES[name]()
+
+
+def save(pixels, name, folder):
+    """Writes an opaque JPEG; returns its path."""
+    height, width, _ = pixels.shape
+    image = bpy.data.images.new(name + "_raw", width, height)
+    image.colorspace_settings.name = "sRGB"
+    rgba = np.ones((height, width, 4), dtype=np.float32)
+    rgba[..., :3] = np.clip(pixels, 0.0, 1.0)
+    image.pixels.foreach_set(rgba.ravel())
+    path = os.path.join(folder, name + ".jpg")
+    image.filepath_raw, image.file_format = path, "JPEG"
+    image.save()
+    bpy.data.images.remove(image)
+    return path
