@@ -7,6 +7,7 @@
 #include <span>
 
 #include "sim/geometry.h"
+#include "sim/planes.h"
 #include "world/layers.h"
 
 namespace gh::sim {
@@ -28,31 +29,6 @@ glm::vec3 plane_for_walking(const glm::vec3& normal) {
     if (is_floor(normal)) return normal;
     const float length = flat_length(normal);
     return length > 0.01f ? flat(normal) / length : normal;
-}
-
-// `v` without what runs into the planes; along their common edge between two, nowhere in a corner of three.
-glm::vec3 along_planes(std::span<const glm::vec3> planes, const glm::vec3& v) {
-    const auto is_clear = [planes](const glm::vec3& w) {
-        for (const glm::vec3& plane : planes) {
-            if (glm::dot(w, plane) < -1e-5f * length_of(w)) return false;
-        }
-        return true;
-    };
-    if (is_clear(v)) return v;
-    for (const glm::vec3& plane : planes) {
-        const glm::vec3 clipped = v - plane * std::min(glm::dot(v, plane), 0.0f);
-        if (is_clear(clipped)) return clipped;
-    }
-    for (std::size_t i = 0; i < planes.size(); ++i) {
-        for (std::size_t j = i + 1; j < planes.size(); ++j) {
-            const glm::vec3 edge = glm::cross(planes[i], planes[j]);
-            const float square = glm::dot(edge, edge);
-            if (!(square > 1e-8f)) continue;
-            const glm::vec3 clipped = edge * (glm::dot(edge, v) / square);
-            if (is_clear(clipped)) return clipped;
-        }
-    }
-    return glm::vec3(0.0f);
 }
 
 // Walking: walls turn the way in the horizontal plane; floors then only lift or lower it, so that a slope costs

@@ -3,8 +3,14 @@
 #include <utility>
 
 #include "base/contracts.h"
+#include "sim/doors.h"
+#include "sim/navigation.h"
 #include "sim/noises.h"
 #include "sim/player.h"
+#include "sim/rules.h"
+#include "sim/stones.h"
+#include "sim/use.h"
+#include "sim/use_target.h"
 #include "spatial/stage.h"
 #include "world/initial_state.h"
 
@@ -14,11 +20,13 @@ struct Simulation::Data {
     std::shared_ptr<const world::Level> level;
     const Jobs* jobs = nullptr;
     spatial::Stage stage;
+    Navigation navigation;
+    DoorBodies doors;
     world::State state;
     std::shared_ptr<const world::Snapshot> snapshot;
 
     Data(std::shared_ptr<const world::Level> of, const Jobs* with)
-        : level(std::move(of)), jobs(with), stage(level) {}
+        : level(std::move(of)), jobs(with), stage(level), navigation(*level), doors(*level) {}
 
     [[nodiscard]] std::shared_ptr<world::Snapshot> commit() {
         return std::make_shared<world::Snapshot>(jobs != nullptr ? stage.commit(state, *jobs)
@@ -43,29 +51,43 @@ void Simulation::restore(const world::State& state) {
     data_->snapshot = data_->commit();
 }
 
-void Simulation::step(const input::Command& command, PhaseObserver* observer) {
+void Simulation::step(const input::Command& given, PhaseObserver* observer) {
     const auto begin = [observer](Phase phase) {
         if (observer != nullptr) observer->begin(phase);
     };
     Data& d = *data_;
+    world::State& state = d.state;
+    const world::Level& level = *d.level;
     const world::Snapshot& before = *d.snapshot;
 
     begin(Phase::Decide);
-    d.state.tick += 1;
-    d.state.noise_count = 0;
-    d.state.noises = {};
-    fade_noise_needle(d.state.player);
-    decide_player(before, command, d.state);
+    state.tick += 1;
+    state.noise_count = 0;
+    state.noises = {};
+    fade_noise_needle(state.player);
+    const bool starts_again = wants_checkpoint(state, given);
+    if (starts_again) state = checkpoint(level, state);
+    const input::Command command = allowed(state, given);
+    if (!starts_again) {
+        decide_player(before, command, state);
+        decide_throw(level, before, command, state);
+        if (is_pressed(state.player, command, input::Button::Use)) {
+            use(level, use_target(level, before, state.player), state);
+        }
 
-    begin(Phase::Doors);
+        begin(Phase::Doors);
+        move_doors(level, d.doors, state);
+        move_mirrors(level, state);
 
-    begin(Phase::Motion);
-    move_player(*d.level, before, command, d.state);
+        begin(Phase::Motion);
+        move_player(level, before, command, state);
 
-    begin(Phase::Stones);
+        begin(Phase::Stones);
+        move_stones(level, before, state);
 
-    begin(Phase::Noise);
-    sound_player(before.state, command, d.state);
+        begin(Phase::Noise);
+        sound_player(before.state, command, state);
+    }
 
     begin(Phase::Commit);
     const std::shared_ptr<world::Snapshot> now = d.commit();
@@ -73,9 +95,10 @@ void Simulation::step(const input::Command& command, PhaseObserver* observer) {
     begin(Phase::Perceive);
 
     begin(Phase::Judge);
-    d.state.player.buttons_before = command.buttons;
+    judge_rules(level, state);
+    state.player.buttons_before = given.buttons;
 
-    now->state = d.state;
+    now->state = state;
     d.snapshot = now;
     if (observer != nullptr) observer->end();
 }
