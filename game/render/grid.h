@@ -24,7 +24,7 @@ struct Grid {
     [[nodiscard]] glm::ivec3 cell_at(const glm::vec3& position) const {
         const glm::vec3 at = (position - origin) / spacing;
         glm::ivec3 cell;
-        for (int axis = 0; axis < 3; ++axis) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto last = static_cast<float>(cells[axis] - 1);
             const float clamped = at[axis] > 0.0f ? std::min(at[axis], last) : 0.0f;  // NaN goes to 0
             cell[axis] = static_cast<int>(clamped);

@@ -8,6 +8,7 @@
 
 #include "base/jobs.h"
 #include "render/ambient.h"
+#include "render/gloss.h"
 #include "render/lamp.h"
 #include "render/lamp_lists.h"
 #include "render/texture.h"
@@ -41,6 +42,7 @@ struct Prepared {
     std::vector<BulbClearance> bulbs;  // one a lamp
     LampLists lamp_lists;
     AmbientBake ambient;
+    GlossTable gloss;
     bool has_clear_parts = false;
 };
 

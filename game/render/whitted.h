@@ -17,8 +17,7 @@
 #include "render/camera.h"
 #include "render/film.h"
 #include "render/prepared.h"
-#include "world/level.h"
-#include "world/snapshot.h"
+#include "render/scene_view.h"
 
 #include <cstdint>
 
@@ -35,12 +34,6 @@ struct WhittedSettings {
     // Neighbours in a 4x4 block look at different parts of a lamp and share what they saw where the surface goes on
     // (interleaved sampling with a discontinuity buffer; Keller and Heidrich 2001). Off: every pixel for itself.
     bool shares_samples = true;
-};
-
-struct SceneView {
-    const world::Level& level;
-    const world::Snapshot& snapshot;
-    const Prepared& prepared;
 };
 
 // Fills film.radiance (of the size it has) and film.stats. `frame` turns the sampling pattern; a still uses 0.

@@ -1,0 +1,15 @@
+#include "render/film.h"
+
+namespace gh::render {
+
+FrameStats& FrameStats::operator+=(const FrameStats& other) {
+    primary_rays += other.primary_rays;
+    reflected_rays += other.reflected_rays;
+    refracted_rays += other.refracted_rays;
+    shadow_rays += other.shadow_rays;
+    glass_shadow_rays += other.glass_shadow_rays;
+    ambient_rays += other.ambient_rays;
+    return *this;
+}
+
+}  // namespace gh::render

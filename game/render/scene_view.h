@@ -1,0 +1,16 @@
+// render/scene_view.h - all a picture is made from, borrowed.
+#pragma once
+
+#include "render/prepared.h"
+#include "world/level.h"
+#include "world/snapshot.h"
+
+namespace gh::render {
+
+struct SceneView {
+    const world::Level& level;
+    const world::Snapshot& snapshot;  // of this very level
+    const Prepared& prepared;         // for this very level
+};
+
+}  // namespace gh::render

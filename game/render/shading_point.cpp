@@ -1,0 +1,204 @@
+#include "render/shading_point.h"
+
+#include "base/contracts.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gh::render {
+
+namespace {
+
+constexpr float kFlattestView = 0.02f;  // least cosine between a bent normal and the eye
+
+// The triangle that was hit, in the world frame where that matters.
+struct Corners {
+    glm::uvec3 index{0};
+    std::array<float, 3> share{};        // barycentric
+    glm::vec3 edge1{0.0f}, edge2{0.0f};  // world
+    glm::vec2 uv{0.0f}, uv_edge1{0.0f}, uv_edge2{0.0f};
+};
+
+glm::mat3 linear_part(const glm::mat4x3& m) {
+    return glm::mat3(m[0], m[1], m[2]);
+}
+
+// Turns normals: the transpose of the inverse, but for a positive factor.
+glm::mat3 normal_matrix(const glm::mat3& m) {
+    const glm::mat3 cofactor(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    return glm::dot(m[0], cofactor[0]) < 0.0f ? -cofactor : cofactor;
+}
+
+glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
+    const float length2 = glm::dot(v, v);
+    return length2 > 0.0f && length2 < rc::kInfinity ? v / std::sqrt(length2) : fallback;
+}
+
+Corners corners_of(const SceneView& view, const world::Mesh& mesh, const rc::Hit& hit,
+                   const glm::mat3& to_world) {
+    Corners corners;
+    corners.index = mesh.triangles[hit.primitive];
+    corners.share = {1.0f - hit.u - hit.v, hit.u, hit.v};
+    const std::array<glm::vec3, 3> local = view.snapshot.scene->triangle(hit.instance, hit.primitive);
+    corners.edge1 = to_world * (local[1] - local[0]);
+    corners.edge2 = to_world * (local[2] - local[0]);
+    if (!mesh.uvs.empty()) {
+        const glm::vec2 uv0 = mesh.uvs[corners.index.x];
+        corners.uv_edge1 = mesh.uvs[corners.index.y] - uv0;
+        corners.uv_edge2 = mesh.uvs[corners.index.z] - uv0;
+        corners.uv = uv0 + corners.uv_edge1 * hit.u + corners.uv_edge2 * hit.v;
+    }
+    return corners;
+}
+
+glm::vec3 smooth_normal(const SceneView& view, const world::Mesh& mesh, const rc::Hit& hit,
+                        const Corners& corners, const glm::mat3& normal_to_world,
+                        const glm::vec3& geometric) {
+    const auto& posed = view.snapshot.posed;
+    const std::vector<glm::vec3>& normals = hit.instance < posed.size() && posed[hit.instance] != nullptr
+                                                ? posed[hit.instance]->normals
+                                                : mesh.normals;
+    if (normals.empty()) return geometric;
+    const glm::vec3 local = normals[corners.index.x] * corners.share[0] +
+                            normals[corners.index.y] * corners.share[1] +
+                            normals[corners.index.z] * corners.share[2];
+    return unit_or(normal_to_world * local, geometric);
+}
+
+// How uv changes along a world vector in the triangle's plane.
+glm::vec2 uv_along(const Corners& corners, const glm::vec3& way) {
+    const glm::vec3 n = glm::cross(corners.edge1, corners.edge2);
+    const float area2 = glm::dot(n, n);
+    if (!(area2 > 0.0f)) return glm::vec2(0.0f);
+    const float a = glm::dot(glm::cross(way, corners.edge2), n) / area2;
+    const float b = glm::dot(glm::cross(corners.edge1, way), n) / area2;
+    return corners.uv_edge1 * a + corners.uv_edge2 * b;
+}
+
+// The ellipse that the ray's cone cuts out of the triangle's plane.
+Footprint footprint_of(const Corners& corners, const glm::vec3& direction, const glm::vec3& geometric,
+                       float cone_width) {
+    const float cosine = std::max(std::abs(glm::dot(direction, geometric)), 0.02f);
+    const glm::vec3 slant = direction - geometric * glm::dot(direction, geometric);
+    const glm::vec3 any =
+        std::abs(geometric.y) < 0.9f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(1.0f, 0.0f, 0.0f);
+    const glm::vec3 along = unit_or(slant, glm::normalize(glm::cross(geometric, any)));
+    const glm::vec3 across = glm::cross(geometric, along);
+    return {.major = uv_along(corners, along * (cone_width / cosine)),
+            .minor = uv_along(corners, across * cone_width)};
+}
+
+// Bends the smooth normal as the normal map says.
+glm::vec3 mapped_normal(const world::Mesh& mesh, const world::Material& material, const Corners& corners,
+                        const glm::mat3& to_world, const glm::vec3& smooth, const glm::vec4& texel) {
+    glm::vec3 tangent;
+    float handedness = 1.0f;
+    if (!mesh.tangents.empty()) {
+        const glm::vec4 t = mesh.tangents[corners.index.x] * corners.share[0] +
+                            mesh.tangents[corners.index.y] * corners.share[1] +
+                            mesh.tangents[corners.index.z] * corners.share[2];
+        tangent = to_world * glm::vec3(t);
+        handedness = t.w < 0.0f ? -1.0f : 1.0f;
+    } else {
+        const float det = corners.uv_edge1.x * corners.uv_edge2.y - corners.uv_edge1.y * corners.uv_edge2.x;
+        tangent = (corners.edge1 * corners.uv_edge2.y - corners.edge2 * corners.uv_edge1.y) *
+                  (det < 0.0f ? -1.0f : 1.0f);
+        handedness = det < 0.0f ? 1.0f : -1.0f;  // v runs down, the map's green runs up
+    }
+    tangent = unit_or(tangent - smooth * glm::dot(tangent, smooth), glm::vec3(0.0f));
+    const glm::vec3 bitangent = glm::cross(smooth, tangent) * handedness;
+    const float x = (texel.x * 2.0f - 1.0f) * material.normal_scale,
+                y = (texel.y * 2.0f - 1.0f) * material.normal_scale;
+    return unit_or(tangent * x + bitangent * y + smooth * (texel.z * 2.0f - 1.0f), smooth);
+}
+
+// A smooth normal may face away from the eye near a silhouette; there it is bent until it just does not.
+glm::vec3 facing_eye(const glm::vec3& normal, const glm::vec3& to_eye) {
+    const float cosine = glm::dot(normal, to_eye);
+    if (cosine >= kFlattestView) return normal;
+    return glm::normalize(normal + to_eye * (kFlattestView - cosine));
+}
+
+}  // namespace
+
+ShadingPoint shading_point(const SceneView& view, const rc::Ray& ray, const rc::Hit& hit, float cone_width) {
+    EXPECTS(!hit.is_miss());
+    const world::Level& level = view.level;
+    const world::Mesh& mesh = level.meshes[level.parts[hit.instance].mesh];
+    const world::Material& material = level.materials[mesh.materials[hit.primitive]];
+    const glm::mat3 to_world = linear_part(view.snapshot.scene->instance(hit.instance).world_from_instance);
+
+    ShadingPoint point;
+    point.surface = view.snapshot.scene->surface(hit);
+    point.material = &material;
+    point.part = hit.instance;
+    const Corners corners = corners_of(view, mesh, hit, to_world);
+    glm::vec3 normal = smooth_normal(view, mesh, hit, corners, normal_matrix(to_world), point.surface.normal);
+
+    const glm::vec3 outward =
+        glm::dot(point.surface.normal, normal) < 0.0f ? -point.surface.normal : point.surface.normal;
+    const glm::vec3 direction = glm::normalize(ray.direction);
+    point.is_entering = glm::dot(direction, outward) <= 0.0f;
+    point.geometric = point.is_entering ? outward : -outward;
+
+    const Footprint footprint =
+        mesh.uvs.empty() ? Footprint{} : footprint_of(corners, direction, outward, cone_width);
+    const auto look_up = [&](std::uint32_t texture) {
+        if (texture == world::kNoIndex || mesh.uvs.empty()) return glm::vec4(1.0f);
+        return view.prepared.textures[texture].sample(corners.uv, footprint);
+    };
+    const glm::vec4 base = material.base_color * look_up(material.base_color_texture);
+    const glm::vec4 rough_metal = look_up(material.metallic_roughness_texture);
+    point.base_color = glm::vec3(base);
+    point.alpha = base.w;
+    point.roughness = material.roughness * rough_metal.y;
+    point.metallic = material.metallic * rough_metal.z;
+    point.emission = material.emission * glm::vec3(look_up(material.emission_texture));
+    if (material.normal_texture != world::kNoIndex && !mesh.uvs.empty()) {
+        normal = mapped_normal(mesh, material, corners, to_world, normal, look_up(material.normal_texture));
+    }
+    point.normal = facing_eye(point.is_entering ? normal : -normal, -direction);
+    return point;
+}
+
+glm::vec3 mirrored_direction(const glm::vec3& direction, const ShadingPoint& at) {
+    glm::vec3 mirrored = direction - at.normal * (2.0f * glm::dot(direction, at.normal));
+    const float height = glm::dot(mirrored, at.geometric);
+    if (height < 0.01f) mirrored += at.geometric * (0.01f - height);
+    return glm::normalize(mirrored);
+}
+
+Clearness clearness(const SceneView& view, const rc::Hit& hit) {
+    const world::Level& level = view.level;
+    const world::Mesh& mesh = level.meshes[level.parts[hit.instance].mesh];
+    const world::Material& material = level.materials[mesh.materials[hit.primitive]];
+    Clearness result;
+    result.material = &material;
+    const bool has_holes = material.alpha_mode != world::AlphaMode::Opaque;
+    if (!has_holes && !(material.transmission > 0.0f)) return result;
+
+    const glm::mat3 to_world = linear_part(view.snapshot.scene->instance(hit.instance).world_from_instance);
+    const Corners corners = corners_of(view, mesh, hit, to_world);
+    result.surface = view.snapshot.scene->surface(hit);
+    const glm::vec3 smooth =
+        smooth_normal(view, mesh, hit, corners, normal_matrix(to_world), result.surface.normal);
+    result.outward =
+        glm::dot(smooth, result.surface.normal) < 0.0f ? -result.surface.normal : result.surface.normal;
+
+    glm::vec4 base = material.base_color;
+    if (material.base_color_texture != world::kNoIndex && !mesh.uvs.empty()) {
+        base *= view.prepared.textures[material.base_color_texture].sample(corners.uv, {});
+    }
+    float covered = 1.0f;
+    if (material.alpha_mode == world::AlphaMode::Mask) covered = base.w < material.alpha_cutoff ? 0.0f : 1.0f;
+    if (material.alpha_mode == world::AlphaMode::Blend) covered = std::clamp(base.w, 0.0f, 1.0f);
+    result.glass = covered * material.transmission;
+    result.share = glm::vec3(1.0f - covered) + glm::vec3(base) * result.glass;
+    return result;
+}
+
+}  // namespace gh::render

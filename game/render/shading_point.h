@@ -1,0 +1,47 @@
+// render/shading_point.h - a hit made ready for shading: where, which way it faces, and what it is made of there.
+//
+// Same bits pure.
+#pragma once
+
+#include "render/scene_view.h"
+
+#include "raycore/ray.h"
+
+#include <glm/vec3.hpp>
+
+namespace gh::render {
+
+struct ShadingPoint {
+    rc::SurfacePoint surface;
+    const world::Material* material = nullptr;
+    std::uint32_t part = 0;
+    bool is_entering = true;    // the ray comes from the side the mesh's normals point to
+    glm::vec3 geometric{0.0f};  // unit, of the triangle, towards where the ray came from
+    glm::vec3 normal{0.0f};     // unit, smooth and from the normal map, never facing away from the ray
+    // Textures times factors, averaged over the pixel's footprint.
+    glm::vec3 base_color{0.0f};
+    float alpha = 1.0f;
+    float metallic = 0.0f;
+    float roughness = 1.0f;
+    glm::vec3 emission{0.0f};
+};
+
+// `cone_width`: of the pixel's cone where the ray ends, metres. Precondition: `hit` is a hit of the snapshot's scene.
+[[nodiscard]] ShadingPoint shading_point(const SceneView& view, const rc::Ray& ray, const rc::Hit& hit,
+                                         float cone_width);
+
+// The direction a mirror sends the ray on. Where a bent normal would send it into the surface it just grazes it.
+[[nodiscard]] glm::vec3 mirrored_direction(const glm::vec3& direction, const ShadingPoint& at);
+
+// Only what a shadow ray needs to know: what share of the light the material lets pass in its colour, before
+// reflection at its surface.
+struct Clearness {
+    rc::SurfacePoint surface;
+    glm::vec3 share{0.0f};    // 0: opaque
+    float glass = 0.0f;       // how much of it is glass, whose surface reflects, rather than holes
+    glm::vec3 outward{0.0f};  // unit
+    const world::Material* material = nullptr;
+};
+[[nodiscard]] Clearness clearness(const SceneView& view, const rc::Hit& hit);
+
+}  // namespace gh::render

@@ -1,0 +1,151 @@
+#include "render/tile.h"
+
+#include "base/det_math.h"
+#include "render/sky.h"
+#include "world/layers.h"
+
+#include "raycore/query.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace gh::render {
+
+namespace {
+
+constexpr std::uint8_t kMostPasses = 32;
+
+}  // namespace
+
+void TileTracer::trace(int tile_x, int tile_y, std::vector<PixelLight>& pixels, FrameStats& stats) {
+    x_ = tile_x * kTileSide;
+    y_ = tile_y * kTileSide;
+    columns_ = std::min(kTileSide, frame_.width - x_);
+    rows_ = std::min(kTileSide, frame_.height - y_);
+    pixels_.assign(static_cast<std::size_t>(columns_ * rows_), {});
+    samplers_.clear();
+    for (int i = 0; i < columns_ * rows_; ++i) {
+        samplers_.push_back(pixel_sampler(x_ + i % columns_, y_ + i / columns_, frame_.number,
+                                          frame_.settings.shares_samples));
+    }
+    const int samples = frame_.settings.samples_per_pixel;
+    for (sample_ = 0; sample_ < samples; ++sample_) {
+        add_primary_rays(sample_);
+        stats.primary_rays += now_.size();
+        while (!now_.empty()) {
+            trace_generation(stats);
+            trace_shadows(stats);
+            now_.swap(next_);
+            next_.clear();
+        }
+    }
+    const float per_sample = 1.0f / static_cast<float>(samples);
+    for (int i = 0; i < columns_ * rows_; ++i) {
+        PixelLight& light = pixels_[static_cast<std::size_t>(i)];
+        light.clean *= per_sample;
+        light.unshadowed *= per_sample;
+        light.shadowed *= per_sample;
+        const int x = x_ + i % columns_, y = y_ + i / columns_;
+        pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width) +
+               static_cast<std::size_t>(x)] = light;
+    }
+}
+
+// The first sample of one goes through the middle, so that a still world stands still; more spread over the pixel.
+void TileTracer::add_primary_rays(int sample) {
+    now_.clear();
+    for (int i = 0; i < columns_ * rows_; ++i) {
+        const int x = x_ + i % columns_, y = y_ + i / columns_;
+        glm::vec2 at(0.5f);
+        if (frame_.settings.samples_per_pixel > 1) {
+            at =
+                sobol_point(static_cast<std::uint32_t>(sample),
+                            hash_u32(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0xA11A5u));
+        }
+        PathRay path;
+        path.ray = frame_.lens.ray(glm::vec2(static_cast<float>(x), static_cast<float>(y)) + at);
+        path.cone_angle = frame_.lens.pixel_angle();
+        path.pixel = static_cast<std::uint16_t>(i);
+        now_.push_back(path);
+    }
+}
+
+void TileTracer::trace_generation(FrameStats& stats) {
+    rays_.clear();
+    for (const PathRay& path : now_) rays_.push_back(path.ray);
+    hits_.resize(rays_.size());
+    rc::closest_hits(*frame_.view.snapshot.scene, rays_, world::Light, hits_);
+    for (std::size_t i = 0; i < now_.size(); ++i) {
+        if (hits_[i].is_miss()) {
+            shade_miss(now_[i]);
+        } else {
+            shade(now_[i], hits_[i], stats);
+        }
+    }
+}
+
+void TileTracer::trace_shadows(FrameStats& stats) {
+    shares_.resize(shadow_rays_.size());
+    batch_.answer(frame_.view, shadow_rays_, shares_);
+    stats.shadow_rays += shadow_rays_.size();
+    stats.glass_shadow_rays += batch_.looked_through();
+    for (std::size_t i = 0; i < shadows_.size(); ++i) {
+        PixelLight& light = pixels_[shadows_[i].pixel];
+        (shadows_[i].is_shared ? light.shadowed : light.clean) += shadows_[i].light * shares_[i];
+    }
+    shadow_rays_.clear();
+    shadows_.clear();
+}
+
+void TileTracer::shade_miss(const PathRay& path) {
+    pixel(path).clean += path.weight * sky_radiance(frame_.light.sun, path.ray.direction);
+}
+
+void TileTracer::shade(PathRay path, const rc::Hit& hit, FrameStats& stats) {
+    if (const world::Material* glass = path.media.top(); glass != nullptr)
+        path.weight *= absorbed(*glass, hit.t);
+    path.cone_width += path.cone_angle * hit.t;
+    const ShadingPoint at = shading_point(frame_.view, path.ray, hit, path.cone_width);
+    if (pass_through_hole(path, at, stats)) return;
+
+    if (frame_.light.emission_on[at.part] != 0) {
+        const bool is_bulb = frame_.view.prepared.parts[at.part].lamp != world::kNoIndex;
+        pixel(path).clean += path.weight * at.emission * (is_bulb ? path.bulb_share : 1.0f);
+    }
+    const float clear = at.material->transmission * (1.0f - at.metallic);
+    if (clear > 0.0f) {
+        PathRay part = path;
+        part.weight *= clear;
+        part.is_leading = path.is_leading && clear >= 0.5f;
+        shade_glass(part, at, stats);
+    }
+    if (clear < 1.0f) {
+        path.weight *= 1.0f - clear;
+        path.is_leading = path.is_leading && clear < 0.5f;
+        shade_opaque(path, at, stats);
+    }
+}
+
+// Cut-out and blended materials let the ray go on; true if that is all it does. Otherwise `path` keeps what is left.
+bool TileTracer::pass_through_hole(PathRay& path, const ShadingPoint& at, FrameStats& stats) {
+    float covered = 1.0f;
+    if (at.material->alpha_mode == world::AlphaMode::Mask)
+        covered = at.alpha < at.material->alpha_cutoff ? 0.0f : 1.0f;
+    if (at.material->alpha_mode == world::AlphaMode::Blend) covered = std::clamp(at.alpha, 0.0f, 1.0f);
+    if (covered == 1.0f) return false;
+    if (path.passes < kMostPasses) {
+        PathRay onward = path;
+        onward.ray = rc::spawn_ray(at.surface, path.ray.direction);
+        onward.weight *= 1.0f - covered;
+        onward.passes = static_cast<std::uint8_t>(path.passes + 1);
+        onward.is_leading = path.is_leading && covered < 0.5f;
+        next_.push_back(onward);
+        ++stats.refracted_rays;
+    }
+    path.weight *= covered;
+    path.is_leading = path.is_leading && covered >= 0.5f;
+    return covered == 0.0f;
+}
+
+}  // namespace gh::render

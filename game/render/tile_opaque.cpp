@@ -1,0 +1,197 @@
+// The part of a tile that lights surfaces: lamps with their shadows and highlights, what a polished surface mirrors,
+// and ambient light.
+#include "base/det_math.h"
+#include "render/fresnel.h"
+#include "render/tile.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gh::render {
+
+namespace {
+
+constexpr float kPerPi = 1.0f / kPi;
+// Roughness: below the first pair a bulb is seen in the mirrored ray, above it as a highlight; above the second pair
+// no ray is sent and the ambient light stands in for what is mirrored.
+constexpr float kMirrorBelow = 0.06f, kHighlightAbove = 0.14f;
+constexpr float kRayBelow = 0.3f, kNoRayAbove = 0.5f;
+constexpr float kFaintest = 1e-4f;  // W/m2/sr in the picture: less than that is not worth a shadow ray
+constexpr std::uint32_t kAmbientPurpose = 0xA0u << 16;
+
+float brightest(const glm::vec3& c) {
+    return std::max({c.x, c.y, c.z});
+}
+
+float smooth_step(float low, float high, float x) {
+    const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
+    return t * t * (3.0f - 2.0f * t);
+}
+
+// 0 where a weight is not worth following, 1 from twice that on: nothing pops in.
+float worth(float weight, float least) {
+    if (!(least > 0.0f)) return weight > 0.0f ? 1.0f : 0.0f;
+    return std::clamp(weight / least - 1.0f, 0.0f, 1.0f);
+}
+
+// Takes light away smoothly where the smooth surface still faces a lamp that its triangles turn away from, which
+// would otherwise show them one by one (Chiang, Li and Burley 2019).
+float terminator(const ShadingPoint& at, const glm::vec3& to_lamp) {
+    const float cos_bend = glm::dot(at.geometric, at.normal);
+    if (cos_bend > 0.99999f) return 1.0f;
+    const float cos_geometric = glm::dot(at.geometric, to_lamp);
+    const float cos_smooth = glm::dot(at.normal, to_lamp);
+    if (!(cos_smooth > 0.0f)) return 1.0f;
+    const float g = std::clamp(cos_geometric / (cos_smooth * std::max(cos_bend, 0.05f)), 0.0f, 1.0f);
+    return g * (1.0f + g - g * g);
+}
+
+// Around the normal, more of them where they count more.
+glm::vec3 cosine_direction(const glm::vec3& normal, const glm::vec2& u) {
+    const glm::vec3 any =
+        std::abs(normal.y) < 0.9f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(1.0f, 0.0f, 0.0f);
+    const glm::vec3 side = glm::normalize(glm::cross(any, normal));
+    const glm::vec3 over = glm::cross(normal, side);
+    const auto [sine, cosine] = det::sin_cos(kTwoPi * u.y);
+    const float radius = std::sqrt(u.x);
+    return side * (radius * cosine) + over * (radius * sine) + normal * std::sqrt(1.0f - u.x);
+}
+
+}  // namespace
+
+void TileTracer::shade_opaque(const PathRay& path, const ShadingPoint& at, FrameStats& stats) {
+    const glm::vec3 to_eye = -path.ray.direction;
+    const float cos_eye = glm::dot(at.normal, to_eye);
+    const glm::vec3 f0 =
+        glm::mix(glm::vec3(reflectance_head_on(at.material->ior)), at.base_color, at.metallic);
+    const float f90 = std::min(1.0f, 50.0f * brightest(f0));  // an index of 1 mirrors nothing at any angle
+    const glm::vec3 glossy = frame_.gloss.albedo(f0, f90, cos_eye, at.roughness);
+    const glm::vec3 diffuse = at.base_color * ((1.0f - at.metallic) * (1.0f - brightest(glossy)));
+
+    const float ray_share = path.depth < frame_.settings.max_depth
+                                ? (1.0f - smooth_step(kRayBelow, kNoRayAbove, at.roughness)) *
+                                      worth(brightest(path.weight * glossy), frame_.settings.min_weight)
+                                : 0.0f;
+    const float highlight_share = smooth_step(kMirrorBelow, kHighlightAbove, at.roughness);
+    const bool is_mirror = brightest(glossy) * ray_share > brightest(diffuse);
+
+    PathRay lit = path;
+    lit.is_leading = path.is_leading && !is_mirror;
+    if (lit.is_leading) note_surface(lit, at);
+    const float alpha = at.roughness * at.roughness;
+    add_lamps(lit, at, diffuse, {at.normal, to_eye, f0, f90, alpha}, highlight_share);
+    add_ambient(lit, at, diffuse, glossy * (1.0f - ray_share));
+    if (!(ray_share > 0.0f)) return;
+
+    PathRay mirrored = path;
+    mirrored.ray = rc::spawn_ray(at.surface, mirrored_direction(path.ray.direction, at));
+    mirrored.weight *= glossy * ray_share;
+    mirrored.bulb_share = 1.0f - highlight_share;
+    mirrored.cone_angle += 2.0f * alpha;  // a rough mirror blurs textures at least
+    mirrored.depth = static_cast<std::uint8_t>(path.depth + 1);
+    mirrored.is_leading = path.is_leading && is_mirror;
+    next_.push_back(mirrored);
+    ++stats.reflected_rays;
+}
+
+void TileTracer::add_lamps(const PathRay& path, const ShadingPoint& at, const glm::vec3& diffuse,
+                           const Gloss& gloss, float highlight_share) {
+    const world::Level& level = frame_.view.level;
+    const glm::vec3& position = at.surface.position;
+    for (const std::uint32_t id : frame_.view.prepared.lamp_lists.at(position)) {
+        if (frame_.light.lamp_on[id] == 0) continue;
+        const world::Lamp& lamp = level.lamps[id];
+        const glm::vec3 to_lamp = direction_to(lamp, position);
+        glm::vec3 light = diffuse * lamp_irradiance(lamp, position, at.normal) * kPerPi;
+        if (highlight_share > 0.0f) light += lamp_highlight(lamp, position, gloss) * highlight_share;
+        light *= path.weight * terminator(at, to_lamp);
+        light *= worth(brightest(light), kFaintest);
+        if (!(brightest(light) > 0.0f)) continue;
+        if (is_area(lamp)) {
+            add_area_shadows(path, at, id, light);
+            continue;
+        }
+        const auto ray = shadow_ray(lamp, frame_.view.prepared.bulbs[id], at.surface, lamp.position);
+        if (ray && glm::dot(ray->direction, at.geometric) <= 0.0f)
+            continue;  // a smooth normal sees it, the surface not
+        if (ray) {
+            add_shadow(path, *ray, light, false);
+        } else {
+            pixel(path).clean += light;
+        }
+    }
+}
+
+void TileTracer::add_area_shadows(const PathRay& path, const ShadingPoint& at, std::uint32_t lamp_id,
+                                  const glm::vec3& light) {
+    const world::Lamp& lamp = frame_.view.level.lamps[lamp_id];
+    const PixelSampler& sampler = samplers_[path.pixel];
+    const int count = frame_.settings.shadow_samples;
+    const bool is_main = is_shared(path);
+    const glm::vec3 part = light / static_cast<float>(count);
+    for (int i = 0; i < count; ++i) {
+        const auto number = static_cast<std::uint32_t>(sample_ * count + i);
+        const glm::vec3 target =
+            lamp_point(lamp, at.surface.position, sampler.point(number, lamp_id, path.depth));
+        if (is_main) pixel(path).unshadowed += part;
+        // What of the lamp is below the horizon is not in `light`; a point there says nothing about the rest.
+        const bool is_below = glm::dot(target - at.surface.position, at.geometric) <= 0.0f;
+        const glm::vec3 aim = is_below ? lamp.position : target;
+        if (is_below && glm::dot(aim - at.surface.position, at.geometric) <= 0.0f) continue;
+        if (const auto ray = shadow_ray(lamp, frame_.view.prepared.bulbs[lamp_id], at.surface, aim)) {
+            add_shadow(path, *ray, part, is_main);
+        } else {
+            (is_main ? pixel(path).shadowed : pixel(path).clean) += part;
+        }
+    }
+}
+
+// Baked light, darkened in corners that are smaller than the grid it was baked on.
+void TileTracer::add_ambient(const PathRay& path, const ShadingPoint& at, const glm::vec3& diffuse,
+                             const glm::vec3& mirrored) {
+    glm::vec3 irradiance, reflected;
+    const glm::vec3 direction =
+        path.ray.direction - at.normal * (2.0f * glm::dot(path.ray.direction, at.normal));
+    frame_.light.ambient.gather(at.surface.position, at.normal, direction, irradiance, reflected);
+    const glm::vec3 light = path.weight * (diffuse * irradiance * kPerPi + mirrored * reflected);
+    if (!(brightest(light) > 0.0f)) return;
+    const int count = path.depth == 0 || path.is_leading ? frame_.settings.ambient_samples : 0;
+    if (count == 0) {
+        pixel(path).clean += light;
+        return;
+    }
+    const glm::vec3& cell = frame_.view.prepared.ambient.grid.spacing;
+    const float reach = 0.6f * std::min({cell.x, cell.y, cell.z});
+    const bool is_main = is_shared(path);
+    const glm::vec3 part = light / static_cast<float>(count);
+    for (int i = 0; i < count; ++i) {
+        const auto number = static_cast<std::uint32_t>(sample_ * count + i);
+        const PixelSampler& sampler = samplers_[path.pixel];
+        glm::vec3 way = cosine_direction(at.normal, sampler.point(number, kAmbientPurpose, path.depth));
+        const float height = glm::dot(way, at.geometric);
+        if (height < 0.01f) way += at.geometric * (0.01f - height);
+        // A reach between nothing and all of it: what is near darkens more.
+        const float share = sampler.point(number, kAmbientPurpose + 1, path.depth).x;
+        if (is_main) pixel(path).unshadowed += part;
+        add_shadow(path, rc::spawn_ray(at.surface, way, reach * share), part, is_main);
+    }
+}
+
+void TileTracer::add_shadow(const PathRay& path, const rc::Ray& ray, const glm::vec3& light, bool is_shared) {
+    shadow_rays_.push_back(ray);
+    shadows_.push_back({light, path.pixel, is_shared});
+}
+
+void TileTracer::note_surface(const PathRay& path, const ShadingPoint& at) {
+    PixelLight& light = pixel(path);
+    if (light.size > 0.0f) return;  // the first sample speaks for the pixel
+    light.position = at.surface.position;
+    light.normal = at.geometric;
+    const float cosine = std::max(0.05f, -glm::dot(path.ray.direction, at.geometric));
+    light.size = path.cone_width / cosine;
+}
+
+}  // namespace gh::render

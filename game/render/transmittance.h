@@ -1,0 +1,39 @@
+// render/transmittance.h - what of a lamp's light gets through glass, tinted panes and cut-out leaves on its way.
+//
+// Straight on: glass takes its share by Fresnel and its colour by Beer's law, but does not bend shadow rays.
+// Same bits pure.
+#pragma once
+
+#include "render/scene_view.h"
+
+#include "raycore/counters.h"
+#include "raycore/ray.h"
+
+#include <glm/vec3.hpp>
+
+#include <span>
+#include <vector>
+
+namespace gh::render {
+
+// Along the whole ray; 0 as soon as something opaque is met.
+[[nodiscard]] glm::vec3 transmittance(const SceneView& view, const rc::Ray& ray);
+
+// Beer's law over `length` metres of a glass.
+[[nodiscard]] glm::vec3 absorbed(const world::Material& glass, float length);
+
+// The same for many: one batch that finds what is blocked at all, then the way through glass for the few that are.
+// Keeps its memory for the next call.
+class ShadowBatch {
+  public:
+    void answer(const SceneView& view, std::span<const rc::Ray> rays, std::span<glm::vec3> shares);
+    [[nodiscard]] std::size_t looked_through() const {
+        return looked_through_;
+    }  // rays of the last call sent twice
+
+  private:
+    std::vector<std::uint8_t> is_blocked_;
+    std::size_t looked_through_ = 0;
+};
+
+}  // namespace gh::render
