@@ -57,6 +57,7 @@ struct Material {
     float roughness = 1.0f;
     float transmission = 0.0f;
     float ior = 1.5f;
+    float specular = 1.0f;  // KHR_materials_specular: share of the dielectric's reflection that is there
     glm::vec3 attenuation_color{1.0f};           // of light after attenuation_distance inside
     float attenuation_distance = rc::kInfinity;  // metres
     glm::vec3 emission{0.0f};                    // radiance: factor x strength

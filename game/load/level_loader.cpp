@@ -1,0 +1,105 @@
+#include "load/level_loader.h"
+
+#include "base/file.h"
+#include "base/hash.h"
+#include "load/defaults.h"
+#include "load/gltf_file.h"
+#include "load/level_build.h"
+#include "load/level_check.h"
+#include "load/limits.h"
+#include "load/part_geometry.h"
+
+#include <fmt/format.h>
+
+#include <exception>
+
+namespace gh::load {
+namespace {
+
+// Side files that hold geometry belong to what was loaded; pictures do not decide anything.
+std::uint64_t hash_of(std::span<const std::byte> bytes, const tinygltf::Model& model) {
+    Hasher hasher;
+    hasher.add(bytes);
+    for (const tinygltf::Buffer& buffer : model.buffers) {
+        if (!buffer.uri.empty()) hasher.add(std::as_bytes(std::span(buffer.data)));
+    }
+    return hasher.digest();
+}
+
+world::Aabb bounds_of_parts(const LevelBuild& build) {
+    world::Aabb box = empty_box();
+    for (const world::Part& part : build.level.parts) {
+        if (part.mover == world::Mover::Stone || part.mover == world::Mover::Guard) continue;
+        const glm::mat4x3 world_from_part = world_from_part_at_rest(build.level, part);
+        for (const glm::vec3& p : build.meshes.mesh(part.mesh).positions)
+            grow(box, transform_point(world_from_part, p));
+    }
+    return box;
+}
+
+bool has_spawn(const LevelBuild& build) {
+    for (const std::uint32_t id : build.tree.order) {
+        if (build.facts[id].kind == Kind::Spawn) return true;
+    }
+    return false;
+}
+
+Result<world::Level> build_level(const tinygltf::Model& model) {
+    TextureSet textures(model);
+    Result<MaterialSet> materials = read_materials(model, textures);
+    if (!materials) return materials.error();
+    Result<NodeTree> tree = read_nodes(model);
+    if (!tree) return tree.error();
+    LevelBuild build{model, *materials, std::move(*tree), MeshSet(model, *materials), {}, {}};
+    for (const auto step : {&find_kinds, &build_movers, &build_parts, &finish_movers, &build_places,
+                            &build_lamps, &build_stones}) {
+        if (const Result<void> built = step(build); !built) return built.error();
+    }
+    build.level.bounds = bounds_of_parts(build);
+    if (build.level.bounds.min.x > build.level.bounds.max.x) return Error{"has no triangles"};
+    add_missing_light(build);
+    const bool needs_spawn = !has_spawn(build);
+    world::Level level = std::move(build.level);
+    level.meshes = build.meshes.take();
+    level.materials = std::move(materials->materials);
+    level.textures = textures.take();
+    if (const Result<void> checked = check_ranges(level); !checked) return checked.error();
+    if (needs_spawn) level.spawn = find_spawn(level);
+    return level;
+}
+
+Result<world::Level> read_level(std::span<const std::byte> bytes, const std::filesystem::path& base_dir) {
+    const Result<tinygltf::Model> model = parse_gltf(bytes, base_dir);
+    if (!model) return model.error();
+    Result<world::Level> level = build_level(*model);
+    if (level) level->file_hash = hash_of(bytes, *model);
+    return level;
+}
+
+Error in_file(const std::string& name, const Error& error) {
+    return Error{fmt::format("{}: {}", name, error.sentence)};
+}
+
+}  // namespace
+
+Result<world::Level> load_level_from_memory(std::span<const std::byte> bytes, const std::string& name,
+                                            const std::filesystem::path& base_dir) {
+    try {
+        Result<world::Level> level = read_level(bytes, base_dir);
+        if (!level) return in_file(name, level.error());
+        level->name = std::filesystem::path(name).stem().string();
+        return level;
+    } catch (const std::bad_alloc&) {
+        return in_file(name, Error{"needs more memory than there is"});
+    }
+}
+
+Result<world::Level> load_level(const std::filesystem::path& path) {
+    const Result<std::vector<std::byte>> bytes = read_file(path, kMaxFileBytes);
+    if (!bytes) return bytes.error();
+    std::filesystem::path base_dir = path.parent_path();
+    if (base_dir.empty()) base_dir = ".";
+    return load_level_from_memory(*bytes, path.filename().string(), base_dir);
+}
+
+}  // namespace gh::load
