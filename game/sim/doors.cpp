@@ -40,7 +40,7 @@ void close_when_due(const world::Level& level, world::State& state, std::size_t 
     world::DoorState& it = state.doors[door];
     if (it.held_until_tick == 0 || state.tick < it.held_until_tick) return;
     it.held_until_tick = 0;
-    if (it.wants_open != 0) toggle_door(level, state, door);
+    if (it.wants_open != 0) toggle_door(level, state, door, kSomeGuard);
 }
 
 }  // namespace
@@ -69,20 +69,21 @@ bool DoorBodies::overlaps(const world::Level& level, const world::State& state, 
     return rc::capsule_overlaps(*closed_[door], axis_door, body.radius, rc::kAllLayers, contact) != 0;
 }
 
-void toggle_door(const world::Level& level, world::State& state, std::size_t door) {
+void toggle_door(const world::Level& level, world::State& state, std::size_t door, std::uint8_t by_guard) {
     world::DoorState& it = state.doors[door];
     it.wants_open = it.wants_open != 0 ? 0 : 1;
     emit(state, {.position = spatial::door_handle(level, state, door),
                  .loudness_db = it.wants_open != 0 ? kDoorOpenDb : kDoorCloseDb,
                  .kind = it.wants_open != 0 ? world::NoiseKind::DoorOpen : world::NoiseKind::DoorClose,
-                 .surface = static_cast<std::uint8_t>(world::Surface::Oak)});
+                 .surface = static_cast<std::uint8_t>(world::Surface::Oak),
+                 .by_guard = by_guard});
 }
 
 void hold_door_open(const world::Level& level, world::State& state, std::size_t door, std::uint32_t until_tick) {
     world::DoorState& it = state.doors[door];
     const bool stands_open = it.wants_open != 0 && it.held_until_tick == 0;
     if (stands_open) return;  // somebody else left it open: it stays
-    if (it.wants_open == 0) toggle_door(level, state, door);
+    if (it.wants_open == 0) toggle_door(level, state, door, kSomeGuard);
     it.held_until_tick = until_tick;
 }
 

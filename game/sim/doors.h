@@ -29,8 +29,8 @@ class DoorBodies {
     std::vector<std::shared_ptr<const rc::Scene>> closed_;  // one a door, in the frame of its hinge
 };
 
-// Turns a door the other way, with its sound.
-void toggle_door(const world::Level& level, world::State& state, std::size_t door);
+// Turns a door the other way, with its sound; `by_guard` as in Noise.
+void toggle_door(const world::Level& level, world::State& state, std::size_t door, std::uint8_t by_guard);
 
 // Opens a door for a guard, who keeps it open until `until_tick` and shuts it then.
 void hold_door_open(const world::Level& level, world::State& state, std::size_t door, std::uint32_t until_tick);

@@ -11,7 +11,8 @@
 
 namespace gh::sim {
 
-inline constexpr std::uint8_t kNobody = 0xFF;  // Noise::by_guard of everything that no guard made
+inline constexpr std::uint8_t kNobody = 0xFF;     // Noise::by_guard of everything that no guard made
+inline constexpr std::uint8_t kSomeGuard = 0xFE;  // of doors that guards open and close
 
 enum class Gait : std::uint8_t { Crouch, Walk, Run };
 

@@ -4,6 +4,7 @@
 
 #include "base/contracts.h"
 #include "sim/doors.h"
+#include "sim/guards.h"
 #include "sim/navigation.h"
 #include "sim/noises.h"
 #include "sim/player.h"
@@ -59,6 +60,7 @@ void Simulation::step(const input::Command& given, PhaseObserver* observer) {
     world::State& state = d.state;
     const world::Level& level = *d.level;
     const world::Snapshot& before = *d.snapshot;
+    const GuardWorld then{level, before, d.navigation, d.doors};
 
     begin(Phase::Decide);
     state.tick += 1;
@@ -74,6 +76,7 @@ void Simulation::step(const input::Command& given, PhaseObserver* observer) {
         if (is_pressed(state.player, command, input::Button::Use)) {
             use(level, use_target(level, before, state.player), state);
         }
+        decide_guards(then, state);
 
         begin(Phase::Doors);
         move_doors(level, d.doors, state);
@@ -81,6 +84,7 @@ void Simulation::step(const input::Command& given, PhaseObserver* observer) {
 
         begin(Phase::Motion);
         move_player(level, before, command, state);
+        move_guards(then, state);
 
         begin(Phase::Stones);
         move_stones(level, before, state);
@@ -92,9 +96,13 @@ void Simulation::step(const input::Command& given, PhaseObserver* observer) {
     begin(Phase::Commit);
     const std::shared_ptr<world::Snapshot> now = d.commit();
 
+    const GuardWorld as_it_stands{level, *now, d.navigation, d.doors};
+
     begin(Phase::Perceive);
+    perceive(as_it_stands, starts_again ? state : before.state, state);
 
     begin(Phase::Judge);
+    judge_guards(as_it_stands, state);
     judge_rules(level, state);
     state.player.buttons_before = given.buttons;
 

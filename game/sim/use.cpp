@@ -40,7 +40,7 @@ void use(const world::Level& level, const UseTarget& target, world::State& state
         case UseKind::Nothing: return;
         case UseKind::Door:
             state.doors[target.index].held_until_tick = 0;  // from now on it is the player's affair
-            return toggle_door(level, state, target.index);
+            return toggle_door(level, state, target.index, kNobody);
         case UseKind::Mirror: return turn_mirror(level, state, target.index);
         case UseKind::Switch: return toggle_lamps(level, target.index, state);
         case UseKind::Lens: return take_lens(level, target.index, state);

@@ -69,11 +69,13 @@ struct Percept {
     glm::vec3 heard_at{0.0f};   // where the loudest noise seemed to come from
     float sight = 0.0f;         // lit share of the player's body in plain view, 0..1
     float mirror_sight = 0.0f;  // the same in mirrors
+    float sight_metres = 0.0f;  // to the nearest point seen, along the light
+    float mirror_metres = 0.0f;
     float heard_db = -120.0f;   // of the loudest noise at the ear, after walls
     std::uint8_t is_fresh = 0;  // whether the guard looked in this tick: it does on every fourth
     std::uint8_t pad_[3] = {};
 };
-static_assert(sizeof(Percept) == 40);
+static_assert(sizeof(Percept) == 48);
 
 inline constexpr std::size_t kMaxPathCorners = 32;
 
@@ -105,7 +107,7 @@ struct GuardState {
     ClipId clip = ClipId::Stand;
     ClipId clip_before = ClipId::Stand;
 };
-static_assert(sizeof(GuardState) == 524);
+static_assert(sizeof(GuardState) == 532);
 
 enum class NoiseKind : std::uint8_t {
     Footstep, Land, StoneHit, DoorOpen, DoorClose, Switch, MirrorTurn, LensTaken, Bark, GuardStep, Throw,
@@ -119,7 +121,7 @@ struct Noise {
     NoiseKind kind = NoiseKind::Footstep;
     std::uint8_t surface = 0;  // world::Surface
     Bark bark = Bark::None;
-    std::uint8_t by_guard = 0xFF;  // which guard made it; 0xFF: player, stone or thing
+    std::uint8_t by_guard = 0xFF;  // which guard made it; 0xFE: one of them, at a door; 0xFF: player, stone or thing
 };
 
 inline constexpr std::size_t kMaxNoises = 32;

@@ -60,6 +60,8 @@ void add(Hasher& hasher, const Percept& percept) {
     hasher.add(percept.heard_at);
     hasher.add(percept.sight);
     hasher.add(percept.mirror_sight);
+    hasher.add(percept.sight_metres);
+    hasher.add(percept.mirror_metres);
     hasher.add(percept.heard_db);
     hasher.add(percept.is_fresh);
 }
