@@ -1,10 +1,13 @@
 #include "app/hud_model.h"
 
+#include "sim/stones.h"
+#include "sim/use_target.h"
 #include "world/eye.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -92,6 +95,52 @@ std::string title_of_room(const world::Level& level, const glm::vec3& position) 
     return "";
 }
 
+// "E  open the door": what `use` would do now, by the simulation's own account.
+std::string prompt_of(const world::Level& level, const world::Snapshot& now) {
+    const sim::UseTarget target = sim::use_target(level, now, now.state.player);
+    const auto named = [](const std::string& title, const char* otherwise) {
+        return title.empty() ? otherwise : title;
+    };
+    switch (target.kind) {
+        case sim::UseKind::Nothing:
+            return "";
+        case sim::UseKind::Door: {
+            const bool is_open = now.state.doors[target.index].wants_open != 0;
+            return std::string("E   ") + (is_open ? "close: " : "open: ") +
+                   named(level.doors[target.index].title, "door");
+        }
+        case sim::UseKind::Mirror:
+            return "E   turn: " + std::string(named(level.mirrors[target.index].title, "mirror"));
+        case sim::UseKind::Switch: {
+            const std::uint32_t group = level.switches[target.index].group;
+            const bool is_on = group != world::kNoIndex && now.state.group_on[group] != 0;
+            return std::string("E   ") + (is_on ? "lights off: " : "lights on: ") +
+                   named(level.switches[target.index].title, "lamps");
+        }
+        case sim::UseKind::Lens:
+            return "E   take: " + std::string(named(level.lenses[target.index].title, "the lens"));
+        case sim::UseKind::Stone:
+            return "E   pick up the stone";
+    }
+    return "";
+}
+
+// The flight of the aimed stone in picture coordinates, thinned so that its dots can be told apart.
+std::vector<glm::vec2> arc_in_picture(const world::Level& level, const world::Snapshot& now,
+                                      const render::Camera& camera, float aspect) {
+    std::array<glm::vec3, sim::kMaxArcPoints> points{};
+    const std::size_t count = sim::throw_arc(level, now, points);
+    constexpr std::size_t kEvery = 3;  // ticks between dots
+    std::vector<glm::vec2> arc;
+    for (std::size_t i = kEvery; i < count; i += kEvery) {
+        if (const auto at = picture_point(camera, aspect, points[i])) arc.push_back(*at);
+    }
+    if (count > 0) {
+        if (const auto landing = picture_point(camera, aspect, points[count - 1])) arc.push_back(*landing);
+    }
+    return arc;
+}
+
 void write_outcome(const world::State& state, present::HudModel& hud) {
     if (state.rules.outcome == world::Outcome::Caught) {
         hud.headline = "Caught";
@@ -114,8 +163,7 @@ std::optional<glm::vec2> picture_point(const render::Camera& camera, float aspec
                      0.5f - 0.5f * glm::dot(to, frame.up) / (depth * half_height));
 }
 
-std::string caption_of(const world::Level& level, const world::Noise& noise) {
-    (void)level;
+std::string caption_of(const world::Noise& noise) {
     const std::string surface(world::surface_name(static_cast<world::Surface>(noise.surface)));
     switch (noise.kind) {
         case world::NoiseKind::Footstep:
@@ -153,7 +201,7 @@ void HudReader::note_tick(const world::Level& level, const world::Snapshot& now)
     const world::State& state = now.state;
     for (std::uint32_t i = 0; i < state.noise_count; ++i) {
         const world::Noise& noise = state.noises[i];
-        const std::string words = caption_of(level, noise);
+        const std::string words = caption_of(noise);
         if (words.empty() || glm::distance(noise.position, state.player.position) > kCaptionHearing) continue;
         captions_.add(
             {.text = words, .bearing = bearing_to(state.player, noise.position), .has_bearing = true});
@@ -191,8 +239,11 @@ present::HudModel HudReader::model(const world::Level& level, const world::Snaps
                               .mood = mood_of(guard.alert),
                               .cue = cue_words(guard.raised_by)});
     }
-    (void)camera;
-    (void)aspect;
+    if (player.aim_ticks > 0) {
+        hud.aim = std::min(1.0f, static_cast<float>(player.aim_ticks) / world::kTicksPerSecond);
+        hud.throw_arc = arc_in_picture(level, now, camera, aspect);
+    }
+    if (state.rules.outcome == world::Outcome::Playing) hud.prompt = prompt_of(level, now);
     write_outcome(state, hud);
     return hud;
 }

@@ -8,6 +8,7 @@
 #include "world/level.h"
 #include "world/snapshot.h"
 
+#include <optional>
 #include <string>
 
 namespace gh::app {
@@ -31,7 +32,7 @@ class HudReader {
 };
 
 // What a noise is to a listener: "a stone clatters on marble"; empty for the player's own steps.
-[[nodiscard]] std::string caption_of(const world::Level& level, const world::Noise& noise);
+[[nodiscard]] std::string caption_of(const world::Noise& noise);
 
 // Where a point of the world appears in the picture, 0..1 to the right and down; nullopt behind the camera.
 [[nodiscard]] std::optional<glm::vec2> picture_point(const render::Camera& camera, float aspect,
