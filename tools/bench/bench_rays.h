@@ -1,0 +1,23 @@
+// bench_rays.h - the rays everybody is asked: the same floats for raycore and for its peers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench_scenes.h"
+
+#include "raycore/query.h"
+
+namespace bench {
+
+struct RaySet {
+    std::string name;
+    bool any = false;  // whether only "is there anything" is asked
+    std::vector<rc::Ray> rays;
+};
+
+// Primary (1280x720 pinhole in 8x8 tiles; every `keep`-th tile), shadow to random lamp points, ambient occlusion of
+// a twentieth of the scene, diffuse: one cosine bounce. The last three start at the primary hits.
+[[nodiscard]] std::vector<RaySet> make_ray_sets(const BenchScene& scene, const rc::Scene& built, int keep);
+
+}  // namespace bench
