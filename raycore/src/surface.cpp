@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -71,6 +72,15 @@ SurfacePoint Scene::surface(const Hit& hit) const {
     at = {blend(p0.x, p1.x, p2.x), blend(p0.y, p1.y, p2.y), blend(p0.z, p1.z, p2.z)};
     size = {amount(p0.x, p1.x, p2.x), amount(p0.y, p1.y, p2.y), amount(p0.z, p1.z, p2.z)};
 
+    // A triangle that lies in a plane through zero has no error across it by the blend, yet the shear that decides hits
+    // mixes the axes: it errs by up to five roundings of the triangle's extent, in any direction.
+    double extent = 0;
+    for (const Vec3d& corner : {p0, p1, p2}) {
+        const Vec3d d = corner - at;
+        extent = std::max({extent, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    }
+    const Vec3d shear_error{extent * gamma(5), extent * gamma(5), extent * gamma(5)};
+
     SurfacePoint point;
     for (std::size_t r = 0; r < 3; ++r) {
         const double offset = double(m[3][r]);
@@ -79,7 +89,8 @@ SurfacePoint Scene::surface(const Hit& hit) const {
         // of the transform. Taken in double here, so only the last rounding is really spent; the rest covers the way
         // back, when a ray from this point is rounded into the instance's frame.
         point.position_error[r] = float((gamma(3) + 1) * absolute_row_of(m, r, size) * gamma(7) +
-                                        gamma(3) * (absolute_row_of(m, r, size) + std::abs(offset)));
+                                        gamma(3) * (absolute_row_of(m, r, size) + std::abs(offset)) +
+                                        absolute_row_of(m, r, shear_error));
     }
     point.normal = unit_normal(m, p);
     point.instance = hit.instance;
