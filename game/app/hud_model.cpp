@@ -57,11 +57,11 @@ std::string cue_words(world::Cue cue) {
     switch (cue) {
         case world::Cue::None:
             return "";
-        case world::Cue::Sight:
+        case world::Cue::Seen:
             return "saw you";
-        case world::Cue::Mirror:
+        case world::Cue::Mirrored:
             return "saw you in a mirror";
-        case world::Cue::Sound:
+        case world::Cue::Heard:
             return "heard something";
     }
     return "";

@@ -61,14 +61,14 @@ void notice_sight(GuardState& guard) {
     guard.seen_ticks = direct > 0.0f ? longer : std::uint16_t{0};
     if (direct > 0.0f || mirrored > 0.0f) guard.last_known = percept.seen_at;
     const float share = kSightRate * kLookSeconds;
-    add_suspicion(guard, mirrored * share, std::min(mirrored + kSightHeadroom, kIndirectMost), Cue::Mirror);
-    add_suspicion(guard, direct * share, std::min(direct + kSightHeadroom, kMostSuspicion), Cue::Sight);
+    add_suspicion(guard, mirrored * share, std::min(mirrored + kSightHeadroom, kIndirectMost), Cue::Mirrored);
+    add_suspicion(guard, direct * share, std::min(direct + kSightHeadroom, kMostSuspicion), Cue::Seen);
 }
 
 void notice_noise(GuardState& guard) {
     const float above = guard.percept.heard_db - kFaintestDb;
     if (!(above > 0.0f)) return;
-    add_suspicion(guard, above * kHearingShare, kIndirectMost, Cue::Sound);
+    add_suspicion(guard, above * kHearingShare, kIndirectMost, Cue::Heard);
     const bool knows_better = guard.alert == Alert::Chasing && guard.seen_ticks > 0;
     if (!knows_better) guard.last_known = guard.percept.heard_at;
 }
@@ -77,7 +77,7 @@ void notice_touch(const world::State& state, GuardState& guard) {
     const glm::vec3 apart = state.player.position - guard.position;
     if (flat_length(apart) > kTouchDistance || std::abs(apart.y) > kGuardHeight) return;
     guard.last_known = state.player.position;
-    add_suspicion(guard, kSearchingAt - guard.suspicion + 1.0f, kIndirectMost, Cue::Sound);
+    add_suspicion(guard, kSearchingAt - guard.suspicion + 1.0f, kIndirectMost, Cue::Heard);
 }
 
 void bark(std::size_t g, Bark what, world::State& state) {

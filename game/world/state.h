@@ -61,7 +61,10 @@ struct StoneState {
 };
 
 enum class Alert : std::uint8_t { Calm, Suspicious, Searching, Chasing };
-enum class Cue : std::uint8_t { None, Sight, Mirror, Sound };  // what raised a suspicion last
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"  // GCC 12 takes scoped enumerators for hiders of layers.h's names
+enum class Cue : std::uint8_t { None, Seen, Mirrored, Heard };  // what raised a suspicion last
+#pragma GCC diagnostic pop
 
 // What a guard knew at the end of the last tick: written by perceive, read by decide.
 struct Percept {
