@@ -76,8 +76,8 @@ Result<world::Mesh> MeshSet::read(int gltf_mesh, Which which) {
             first_vertex_of.emplace(key, static_cast<std::uint32_t>(mesh.positions.size()));
         if (is_new) {
             append_vertices(*read, mesh);
-            vertices_ += read->positions.size();
         }
+        vertices_ += read->positions.size();  // shared ones too: reading them costs the same
         append_triangles(*read, known->second, static_cast<std::uint32_t>(material), mesh);
         triangles_ += read->triangles.size();
     }

@@ -5,6 +5,7 @@
 #include "base/result.h"
 #include "load/gltf_materials.h"
 #include "load/gltf_meshes.h"
+#include "load/limits.h"
 #include "load/node_tree.h"
 #include "world/level.h"
 
@@ -52,6 +53,7 @@ struct LevelBuild {
     MeshSet meshes;
     std::vector<NodeFacts> facts;  // of every node of the file
     world::Level level;
+    std::size_t keys_left = kMaxKeys;
 
     [[nodiscard]] const tinygltf::Node& node(std::uint32_t id) const { return model.nodes[id]; }
     [[nodiscard]] const tinygltf::Value& extras(std::uint32_t id) const { return model.nodes[id].extras; }

@@ -52,7 +52,7 @@ Result<world::Level> build_level(const tinygltf::Model& model) {
     if (!tree) return tree.error();
     LevelBuild build{model, *materials, std::move(*tree), MeshSet(model, *materials), {}, {}};
     for (const auto step : {&find_kinds, &build_movers, &build_parts, &finish_movers, &build_places,
-                            &build_lamps, &build_stones}) {
+                            &build_lamps, &build_guards, &build_stones}) {
         if (const Result<void> built = step(build); !built) return built.error();
     }
     build.level.bounds = bounds_of_parts(build);

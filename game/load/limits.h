@@ -20,7 +20,7 @@ inline constexpr std::size_t kMaxTriangles = std::size_t{1} << 25;
 inline constexpr std::size_t kMaxZeros = std::size_t{1} << 22;  // of an accessor that has no bytes of its own
 inline constexpr std::size_t kMaxParts = 1u << 16;
 inline constexpr std::size_t kMaxJoints = 512;                 // of one model
-inline constexpr std::size_t kMaxKeys = std::size_t{1} << 20;  // of all clips together, resampled
+inline constexpr std::size_t kMaxKeys = std::size_t{1} << 22;  // of all clips together, resampled
 inline constexpr int kMaxNodeDepth = 256;
 
 inline constexpr int kMaxTextureSide = 16384;

@@ -14,28 +14,6 @@
 namespace gh::load {
 namespace {
 
-glm::dmat4 local_matrix(const tinygltf::Node& node) {
-    glm::dmat4 matrix(1.0);
-    if (node.matrix.size() == 16) {
-        for (std::size_t i = 0; i < 16; ++i) {
-            matrix[static_cast<glm::length_t>(i / 4)][static_cast<glm::length_t>(i % 4)] = node.matrix[i];
-        }
-        return matrix;
-    }
-    if (node.rotation.size() == 4) {
-        const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
-        const double length = std::sqrt(glm::dot(rotation, rotation));
-        if (length > 1.0e-6) matrix = glm::mat4_cast(rotation / length);
-    }
-    for (std::size_t i = 0; i < 3 && node.scale.size() == 3; ++i) {
-        matrix[static_cast<glm::length_t>(i)] *= node.scale[i];
-    }
-    if (node.translation.size() == 3) {
-        matrix[3] = glm::dvec4(node.translation[0], node.translation[1], node.translation[2], 1.0);
-    }
-    return matrix;
-}
-
 bool is_in_range(const glm::dmat4& matrix) {
     for (glm::length_t c = 0; c < 4; ++c) {
         for (glm::length_t r = 0; r < 3; ++r) {
@@ -93,6 +71,28 @@ Result<void> visit(const tinygltf::Model& model, const Visit& at, std::vector<bo
 }
 
 }  // namespace
+
+glm::dmat4 local_matrix(const tinygltf::Node& node) {
+    glm::dmat4 matrix(1.0);
+    if (node.matrix.size() == 16) {
+        for (std::size_t i = 0; i < 16; ++i) {
+            matrix[static_cast<glm::length_t>(i / 4)][static_cast<glm::length_t>(i % 4)] = node.matrix[i];
+        }
+        return matrix;
+    }
+    if (node.rotation.size() == 4) {
+        const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
+        const double length = std::sqrt(glm::dot(rotation, rotation));
+        if (length > 1.0e-6) matrix = glm::mat4_cast(rotation / length);
+    }
+    for (std::size_t i = 0; i < 3 && node.scale.size() == 3; ++i) {
+        matrix[static_cast<glm::length_t>(i)] *= node.scale[i];
+    }
+    if (node.translation.size() == 3) {
+        matrix[3] = glm::dvec4(node.translation[0], node.translation[1], node.translation[2], 1.0);
+    }
+    return matrix;
+}
 
 Result<NodeTree> read_nodes(const tinygltf::Model& model) {
     NodeTree tree;

@@ -28,6 +28,9 @@ struct NodeTree {
 
 [[nodiscard]] Result<NodeTree> read_nodes(const tinygltf::Model& model);
 
+// parent_from_node, from the node's matrix or its translation, rotation and scale. Not checked.
+[[nodiscard]] glm::dmat4 local_matrix(const tinygltf::Node& node);
+
 // "node 'Door'" or "node number 7".
 [[nodiscard]] std::string node_name(const tinygltf::Model& model, std::uint32_t node);
 
