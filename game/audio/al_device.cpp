@@ -3,6 +3,9 @@
 #include "audio/bands.h"
 #include "base/contracts.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <array>
 #include <utility>
 
@@ -17,11 +20,38 @@ Function alc_function(ALCdevice* device, const char* name) {
     return reinterpret_cast<Function>(alcGetProcAddress(device, name));
 }
 
+// Sends stderr nowhere while it lives: without a sound card ALSA writes ten lines of its own, where the game has
+// one sentence to say.
+class QuietStderr {
+  public:
+    QuietStderr() : kept_(dup(STDERR_FILENO)) {
+        const int nowhere = kept_ < 0 ? -1 : open("/dev/null", O_WRONLY | O_CLOEXEC);
+        if (nowhere < 0) return;
+        dup2(nowhere, STDERR_FILENO);
+        close(nowhere);
+    }
+    QuietStderr(const QuietStderr&) = delete;
+    QuietStderr& operator=(const QuietStderr&) = delete;
+    ~QuietStderr() {
+        if (kept_ < 0) return;
+        dup2(kept_, STDERR_FILENO);
+        close(kept_);
+    }
+
+  private:
+    int kept_;
+};
+
+ALCdevice* open_default_device() {
+    const QuietStderr quiet;
+    return alcOpenDevice(nullptr);
+}
+
 }  // namespace
 
 Result<AlDevice> AlDevice::open_speakers() {
     AlDevice device;
-    device.device_ = alcOpenDevice(nullptr);
+    device.device_ = open_default_device();
     if (device.device_ == nullptr) return Error{"no sound device can be opened: the game plays silently"};
     if (alcIsExtensionPresent(device.device_, "ALC_SOFT_pause_device") == ALC_TRUE) {
         device.pause_device_ = alc_function<LPALCDEVICEPAUSESOFT>(device.device_, "alcDevicePauseSOFT");

@@ -15,8 +15,8 @@ namespace gh::audio {
 
 namespace {
 
-constexpr std::size_t kSlots = kMaxVoices + 8;  // so that those that fade out need not be cut off
-constexpr std::uint8_t kFadeTicks = 6;          // of loops that come and go: 0.1 s
+constexpr std::size_t kSlots = kMaxVoices + kMaxFading;
+constexpr std::uint8_t kFadeTicks = 6;  // of loops that come and go: 0.1 s
 constexpr std::uint8_t kStealTicks = 2;
 
 enum class Phase : std::uint8_t { Free, Sounding, Fading };

@@ -30,7 +30,8 @@
 
 namespace gh::audio {
 
-inline constexpr std::size_t kMaxVoices = 24;  // heard at once; a few more may be fading out
+inline constexpr std::size_t kMaxFading = 8;                     // voices on their way out, besides
+inline constexpr std::size_t kMaxVoices = 24;                    // heard at once
 inline constexpr std::size_t kFramesPerTick = kSampleRate / 60;  // 800
 inline constexpr float kMaxGain = 10.0f;                         // of one band of one voice: 10 cm away
 
