@@ -1,5 +1,6 @@
 #include "app/hud_model.h"
 
+#include "sim/guards.h"
 #include "sim/stones.h"
 #include "sim/use_target.h"
 #include "world/eye.h"
@@ -51,6 +52,21 @@ present::Mood mood_of(world::Alert alert) {
             return present::Mood::Chasing;
     }
     return present::Mood::Calm;
+}
+
+// Share of the way from this mood to the next.
+float way_to_next_mood(const world::GuardState& guard) {
+    switch (guard.alert) {
+        case world::Alert::Calm:
+            return guard.suspicion / sim::kSuspiciousAt;
+        case world::Alert::Suspicious:
+            return (guard.suspicion - sim::kSuspiciousAt) / (sim::kSearchingAt - sim::kSuspiciousAt);
+        case world::Alert::Searching:
+            return (guard.suspicion - sim::kSearchingAt) / (sim::kChasingAt - sim::kSearchingAt);
+        case world::Alert::Chasing:
+            return 1.0f;
+    }
+    return 0.0f;
 }
 
 std::string cue_words(world::Cue cue) {
@@ -234,7 +250,7 @@ present::HudModel HudReader::model(const world::Level& level, const world::Snaps
     for (std::size_t g = 0; g < level.guards.size(); ++g) {
         const world::GuardState& guard = state.guards[g];
         hud.guards.push_back({.bearing = bearing_to(player, guard.position),
-                              .suspicion = guard.suspicion,
+                              .suspicion = std::clamp(way_to_next_mood(guard), 0.0f, 1.0f),
                               .distance = glm::distance(guard.position, player.position),
                               .mood = mood_of(guard.alert),
                               .cue = cue_words(guard.raised_by)});
