@@ -1,8 +1,8 @@
 // sense/body.h - the points of the player's body that lamps light and guards look for.
 //
-// Frames    world, metres, +y up. Same bits: det_math only.
-// All points lie within the player's own capsule (0.25 m from its axis, leaning aside), so that none is
-// inside a wall.
+// All lie within the player's own capsule, 0.25 m from its axis (leaning aside), so that none is inside a wall.
+// Frames    world, metres, +y up.
+// Same bits det_math only.
 #pragma once
 
 #include "world/state.h"

@@ -2,7 +2,8 @@
 //
 // Scale     perceived lightness goes with the logarithm of light: `lit` is 0 up to kDarkIrradiance, 1 from
 //           kBrightIrradiance on, and grows by the same step for every doubling in between.
-// Cost      about 10 points x lamps in range x 1 to 4 rays. Threads: pure. Same bits: see lamp_light.h.
+// Cost      about 10 points x lamps in range x 1 to 4 rays.
+// Threads   pure. Same bits: see lamp_light.h.
 #pragma once
 
 #include "sense/body.h"

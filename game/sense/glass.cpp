@@ -1,10 +1,8 @@
 #include "sense/glass.h"
 
 #include "base/det_math.h"
+#include "sense/faces.h"
 #include "world/layers.h"
-#include "world/lookup.h"
-
-#include "raycore/query.h"
 
 #include <array>
 #include <cmath>
@@ -12,8 +10,6 @@
 
 namespace gh::sense {
 namespace {
-
-constexpr std::size_t kMaxSurfaces = 32;  // sixteen panes in a row are a wall
 
 float length_of(const glm::vec3& v) {
     return std::sqrt((v.x * v.x + v.y * v.y) + v.z * v.z);
@@ -40,16 +36,15 @@ glm::vec3 inside_share(const world::Material& material, float metres) {
     return share;
 }
 
-// How far back along the hits the light entered the part that it leaves at hit `leaving`; none: it never entered.
-float metres_inside(std::span<const rc::Hit> hits, std::span<const std::uint8_t> enters, std::size_t leaving,
-                    float metres_per_t) {
+// How far back the light entered the part that it leaves at faces[leaving]; 0: it never entered.
+float metres_inside(std::span<const Face> faces, std::size_t leaving, float metres) {
     int depth = 0;
     for (std::size_t i = leaving; i-- > 0;) {
-        if (hits[i].instance != hits[leaving].instance) continue;
-        if (enters[i] == 0) {
+        if (faces[i].part != faces[leaving].part) continue;
+        if (!faces[i].enters) {
             ++depth;
         } else if (depth-- == 0) {
-            return (hits[leaving].t - hits[i].t) * metres_per_t;
+            return (faces[leaving].t - faces[i].t) * metres;
         }
     }
     return 0.0f;
@@ -74,23 +69,18 @@ float fresnel_reflectance(float cosine, float ior) {
 
 glm::vec3 light_transmittance(const world::Level& level, const rc::Scene& scene, const glm::vec3& from,
                               const glm::vec3& to, std::uint32_t source_part) {
-    std::array<rc::Hit, kMaxSurfaces> hits;
-    std::array<std::uint8_t, kMaxSurfaces> enters{};
-    const std::size_t count = rc::crossings(scene, from, to, world::Light, hits);
-    const glm::vec3 way = to - from;
-    const float metres = length_of(way);
+    std::array<Face, kMaxFaces> storage;
+    const Faces met = faces_between(level, scene, from, to, world::Light, storage);
+    const std::span<const Face> faces = std::span(storage).first(met.count);
+    const float metres = length_of(to - from);
     glm::vec3 share(1.0f);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (hits[i].instance == source_part) return share;
-        const world::Material& material = world::material_at(level, hits[i]);
-        if (!lets_light_through(material)) return glm::vec3(0.0f);
-        const glm::vec3 normal = scene.surface(hits[i]).normal;
-        const float along = (normal.x * way.x + normal.y * way.y) + normal.z * way.z;
-        enters[i] = along < 0.0f ? 1 : 0;
-        share *= surface_share(material, metres > 0.0f ? std::abs(along) / metres : 1.0f);
-        if (enters[i] == 0) share *= inside_share(material, metres_inside(hits, enters, i, metres));
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        if (faces[i].part == source_part) return share;
+        if (!lets_light_through(*faces[i].material)) return glm::vec3(0.0f);
+        share *= surface_share(*faces[i].material, faces[i].cosine);
+        if (!faces[i].enters) share *= inside_share(*faces[i].material, metres_inside(faces, i, metres));
     }
-    return count == kMaxSurfaces ? glm::vec3(0.0f) : share;
+    return met.is_complete ? share : glm::vec3(0.0f);
 }
 
 }  // namespace gh::sense

@@ -1,19 +1,16 @@
 // sense/hearing.h - what of a sound arrives: one computation for the guards' ears and the player's.
 //
 // Sound takes the loudest of three ways, band by band:
-//   through   the straight line; 1/r, and every wall on it takes its transmission loss. The two faces of one
-//   wall
-//             count once, and so does a single sheet.
-//   around    past the edge of the one thing that stands between (a column, a case, a door ajar), when both
-//   legs are
-//             free: 1/r along the bent way and the barrier loss of Kurze and Anderson (1971).
-//   detour    the corners the caller knows (a path on the navmesh, at ear height): 1/r along all of it, a
-//   barrier
+//   through   the straight line: 1/r, and every wall on it takes its transmission loss (walls.h).
+//   around    past an edge of a thing that stands between (a column, a case, a door ajar): 1/r along the bent way, the
+//             barrier loss of Kurze and Anderson (1971), and the loss of what stands in either leg.
+//   detour    past the corners the caller knows (a path on the navmesh, at ear height): 1/r along all of it, a barrier
 //             loss a corner, and the loss of what closes a leg: a shut door on the way silences it.
+//
 // Symmetric swapping source and ear (and reversing the detour) changes nothing but `arrives_from`.
 // Layers    Sound. Bodies and stones take nothing.
-// Cost      one `crossings`; when blocked, up to 24 rays a thing in between and one `crossings` a leg of the
-// detour. Threads   pure. Same bits: no libm.
+// Cost      one `crossings`; when blocked, up to 24 more a thing in between, and one a leg of the detour.
+// Threads   pure. Same bits: no libm.
 #pragma once
 
 #include "world/level.h"

@@ -1,15 +1,13 @@
-// sense/lamp_light.h - how much light each lamp sends to a point: the light of exposure, without any
-// renderer.
+// sense/lamp_light.h - how much light each lamp sends to a point: the light of exposure, without any renderer.
 //
 // Units     metres; irradiance in W/m2 per colour.
-// Estimate  point, spot, sun: one ray, exact. Sphere: four rays spread over the disc one sees, exact where
-// all of it
-//           is seen. Rect: one ray a quarter; the unshadowed integral by 4 x 4 Gauss points (1e-3 for a lamp
-//           as wide as it is far away; see tests). Fixed samples: no noise, hence no flicker, for a light gem
-//           to show.
+// Estimate  point, spot, sun: one ray, exact. Sphere: four rays spread over the disc one sees, exact where all of it is
+//           seen. Rect: one ray a quarter, and the unshadowed integral by 4 x 4 Gauss points. Fixed samples: no noise,
+//           hence no flicker, for a light gem to show.
 // Glass     takes its share: glass.h.
 // Its bulb  never shadows a lamp: a ray that meets the lamp's own part has arrived.
-// Cost      1 to 4 rays a probe and lamp in range. Threads: pure. Same bits: no libm, sums in index order.
+// Cost      1 to 4 rays a probe and lamp in range.
+// Threads   pure. Same bits: no libm, sums in index order.
 #pragma once
 
 #include "world/level.h"

@@ -1,8 +1,8 @@
 // sense/sight.h - how much of a body a watcher can see, directly and in mirrors.
 //
-// Layers    what stops a look carries Sight. Glass does not, nor do characters: nobody's own head is in the
-// way. Cost      at most one ray a body point and eye; in mirrors two rays a point, eye and pane, after tests
-// without rays. Threads   pure: reads its arguments only. Same bits: no libm.
+// Layers    what stops a look carries Sight. Glass does not, nor do characters: nobody's own head is in the way.
+// Cost      at most one ray a body point and eye; in mirrors two a point, eye and pane, after tests without rays.
+// Threads   pure: reads its arguments only. Same bits: no libm.
 #pragma once
 
 #include "sense/body.h"

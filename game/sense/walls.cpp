@@ -1,9 +1,7 @@
 #include "sense/walls.h"
 
+#include "sense/faces.h"
 #include "world/layers.h"
-#include "world/lookup.h"
-
-#include "raycore/query.h"
 
 #include <algorithm>
 #include <span>
@@ -11,12 +9,11 @@
 namespace gh::sense {
 namespace {
 
-constexpr std::size_t kMaxFaces = 48;  // beyond them is silence anyway: 24 curtains take 24 dB at the least
 constexpr std::size_t kAlone = kMaxFaces;
 
-struct Face {
+struct WallFace {
+    const world::Material* material = nullptr;
     std::uint32_t part = world::kNoIndex;
-    std::uint32_t primitive = 0;
     std::size_t partner = kAlone;  // the wall's other face
     bool enters = false;
 };
@@ -27,19 +24,13 @@ bool takes_sound(const world::Part& part) {
 }
 
 std::size_t find_faces(const world::Level& level, const rc::Scene& scene, const glm::vec3& from,
-                       const glm::vec3& to, std::span<Face> faces) {
-    std::array<rc::Hit, kMaxFaces> hits;
-    const std::size_t count = rc::crossings(scene, from, to, world::Sound, hits);
-    const glm::vec3 way = to - from;
+                       const glm::vec3& to, std::span<WallFace> out) {
+    std::array<Face, kMaxFaces> faces;
+    const Faces met = faces_between(level, scene, from, to, world::Sound, faces);
     std::size_t kept = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (!takes_sound(world::part_at(level, hits[i]))) continue;
-        const glm::vec3 normal = scene.surface(hits[i]).normal;
-        const float along = (normal.x * way.x + normal.y * way.y) + normal.z * way.z;
-        faces[kept] = {.part = hits[i].instance,
-                       .primitive = hits[i].primitive,
-                       .partner = kAlone,
-                       .enters = along < 0.0f};
+    for (const Face& face : std::span(faces).first(met.count)) {
+        if (!takes_sound(level.parts[face.part])) continue;
+        out[kept] = {.material = face.material, .part = face.part, .partner = kAlone, .enters = face.enters};
         ++kept;
     }
     return kept;
@@ -48,7 +39,7 @@ std::size_t find_faces(const world::Level& level, const rc::Scene& scene, const 
 // Pairs every face that leaves with the nearest one before it that entered and is still alone, as brackets pair:
 // the same pairs come out when the way is walked backwards.
 template <class MayPair>
-void pair_faces(std::span<Face> faces, const MayPair& may_pair) {
+void pair_faces(std::span<WallFace> faces, const MayPair& may_pair) {
     for (std::size_t i = 0; i < faces.size(); ++i) {
         if (faces[i].enters || faces[i].partner != kAlone) continue;
         for (std::size_t j = i; j-- > 0;) {
@@ -60,13 +51,11 @@ void pair_faces(std::span<Face> faces, const MayPair& may_pair) {
     }
 }
 
-const BandDb& loss_of(const world::Level& level, const Face& face) {
-    const world::Mesh& mesh = level.meshes[level.parts[face.part].mesh];
-    const world::Material& material = level.materials[mesh.materials[face.primitive]];
-    return world::acoustics(material.surface).transmission_loss_db;
+const BandDb& loss_of(const WallFace& face) {
+    return world::acoustics(face.material->surface).transmission_loss_db;
 }
 
-bool lies_within_own_part(std::span<const Face> faces, std::size_t i) {
+bool lies_within_own_part(std::span<const WallFace> faces, std::size_t i) {
     for (std::size_t j = 0; j < i; ++j) {
         if (faces[j].part == faces[i].part && faces[j].enters && faces[j].partner != kAlone &&
             faces[j].partner > i) {
@@ -87,11 +76,11 @@ void note_part(std::uint32_t part, Walls& walls) {
 
 Walls walls_between(const world::Level& level, const rc::Scene& scene, const glm::vec3& from,
                     const glm::vec3& to) {
-    std::array<Face, kMaxFaces> storage;
+    std::array<WallFace, kMaxFaces> storage;
     const std::size_t count = find_faces(level, scene, from, to, storage);
-    const std::span<Face> faces = std::span(storage).first(count);
-    pair_faces(faces, [](const Face& a, const Face& b) { return a.part == b.part; });
-    pair_faces(faces, [&](const Face& a, const Face& b) {
+    const std::span<WallFace> faces = std::span(storage).first(count);
+    pair_faces(faces, [](const WallFace& a, const WallFace& b) { return a.part == b.part; });
+    pair_faces(faces, [&](const WallFace& a, const WallFace& b) {
         return level.parts[a.part].is_shell && level.parts[b.part].is_shell;
     });
     Walls walls;
@@ -99,8 +88,8 @@ Walls walls_between(const world::Level& level, const rc::Scene& scene, const glm
         note_part(faces[i].part, walls);
         const bool is_far_face = faces[i].partner != kAlone && faces[i].partner < i;
         if (is_far_face || lies_within_own_part(faces, i)) continue;
-        const BandDb& near = loss_of(level, faces[i]);
-        const BandDb& far = faces[i].partner == kAlone ? near : loss_of(level, faces[faces[i].partner]);
+        const BandDb& near = loss_of(faces[i]);
+        const BandDb& far = faces[i].partner == kAlone ? near : loss_of(faces[faces[i].partner]);
         for (std::size_t band = 0; band < world::kBands; ++band)
             walls.loss_db[band] += std::max(near[band], far[band]);
     }
