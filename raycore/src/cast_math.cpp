@@ -32,11 +32,13 @@ struct Entry {
     glm::dvec3 normal{0.0};
 };
 
+// A point against K thickened by `radius`, from which it starts outside.
 class Sweep {
   public:
-    Sweep(const Body& body, const Corners& triangle)
-        : body_(body), corners_(triangle), speed_square_(square(body.displacement)) {}
+    Sweep(const Body& body, double radius, const Corners& triangle)
+        : body_(body), radius_(radius), corners_(triangle), speed_square_(square(body.displacement)) {}
 
+    // At any t >= 0, also beyond the end of the way; nothing when the point never enters.
     [[nodiscard]] std::optional<Contact> first_entry() {
         const bool is_capsule = square(body_.axis) > 0.0;
         const std::size_t ends = is_capsule ? 2 : 1;
@@ -54,7 +56,7 @@ class Sweep {
             enter_face({corners_[i], corners_[(i + 1) % 3] - corners_[i], -body_.axis, false}, 0.0);
             enter_cylinder(corners_[i], -body_.axis, 0.0, 1.0);
         }
-        if (!(first_.t <= 1.0)) return std::nullopt;
+        if (!(first_.t < std::numeric_limits<double>::infinity())) return std::nullopt;
         return Contact{.t = first_.t,
                        .depth = 0.0,
                        .point = first_.on_k + first_.along_axis * body_.axis,
@@ -75,17 +77,17 @@ class Sweep {
         const glm::dvec3 normal = cross / std::sqrt(area_square);
         const double height = glm::dot(normal, -face.corner);
         const double side = height > 0.0 ? 1.0 : -1.0;
-        const double rounding = kBeyond * (glm::dot(glm::abs(face.corner), glm::dvec3(1.0)) + body_.radius);
-        double gap = std::abs(height) - body_.radius;
+        const double rounding = kBeyond * (glm::dot(glm::abs(face.corner), glm::dvec3(1.0)) + radius_);
+        double gap = std::abs(height) - radius_;
         if (!(gap >= -rounding)) return;  // beside the face: it can only be entered through an edge
         gap = gap > 0.0 ? gap : 0.0;
         const double approach = -side * glm::dot(normal, body_.displacement);
-        if (!(approach > 0.0 && gap <= approach)) return;
+        if (!(approach > 0.0)) return;
 
         const double t = gap / approach;
         if (!(t < first_.t)) return;
         const glm::dvec3 outward = side * normal;
-        const glm::dvec3 at = (t * body_.displacement - body_.radius * outward) - face.corner;
+        const glm::dvec3 at = (t * body_.displacement - radius_ * outward) - face.corner;
         const double u = glm::dot(glm::cross(at, face.side2), cross) / area_square;
         const double v = glm::dot(glm::cross(face.side1, at), cross) / area_square;
         if (!is_share(u) || !is_share(v) || (face.is_triangle && !is_share(u + v))) return;
@@ -109,13 +111,13 @@ class Sweep {
         const double share = glm::dot(at - from, edge) / edge_square;
         if (!is_share(share)) return;
         const glm::dvec3 on_k = from + share * edge;
-        first_ = {t, on_k, along_axis + axis_per_edge * share, (at - on_k) / body_.radius};
+        first_ = {t, on_k, along_axis + axis_per_edge * share, (at - on_k) / radius_};
     }
 
     void enter_ball(const glm::dvec3& corner, double along_axis) {
         const double t = time_to_circle(-corner, body_.displacement);
         if (!(t < first_.t)) return;
-        first_ = {t, corner, along_axis, (t * body_.displacement - corner) / body_.radius};
+        first_ = {t, corner, along_axis, (t * body_.displacement - corner) / radius_};
     }
 
     // When a point at `start` moving by `way` comes within the radius of 0; infinity when it never does. The point
@@ -123,11 +125,11 @@ class Sweep {
     [[nodiscard]] double time_to_circle(const glm::dvec3& start, const glm::dvec3& way) const {
         constexpr double kNever = std::numeric_limits<double>::infinity();
         const double way_square = square(way);
-        if (!(body_.radius > 0.0) || !(way_square > speed_square_ * kBeyond * kBeyond))
+        if (!(radius_ > 0.0) || !(way_square > speed_square_ * kBeyond * kBeyond))
             return kNever;  // a point, or parallel
         const double nearest_t = -glm::dot(start, way) / way_square;
         if (!(nearest_t >= 0.0)) return kNever;
-        const double spare = body_.radius * body_.radius - square(start + nearest_t * way);
+        const double spare = radius_ * radius_ - square(start + nearest_t * way);
         if (!(spare >= 0.0)) return kNever;
         const double t = nearest_t - std::sqrt(spare / way_square);
         // Inside already: beyond an edge's ends, which its share will tell, or by rounding, for the body is known not
@@ -136,6 +138,7 @@ class Sweep {
     }
 
     const Body& body_;
+    double radius_;
     const Corners& corners_;
     double speed_square_;
     Entry first_;
@@ -179,12 +182,19 @@ std::optional<Contact> first_contact(const Body& body, const Corners& triangle) 
     const double length = std::sqrt(square(body.displacement));
     if (!(length > 0.0)) return std::nullopt;
 
-    if (closest.distance <= body.radius + body.touch) {
-        // The distance to something convex that does not shrink at first never shrinks: this triangle is done with.
-        if (!(glm::dot(closest.normal, body.displacement) < -kAlong * length)) return std::nullopt;
-        if (closest.distance <= body.radius) return at_start(body, closest);
-    }
-    return Sweep(body, triangle).first_entry();
+    const bool is_touching = closest.distance <= body.radius + body.touch;
+    // The distance to something convex that does not shrink at first never shrinks: this triangle is done with.
+    if (is_touching && !(glm::dot(closest.normal, body.displacement) < -kAlong * length)) return std::nullopt;
+
+    const std::optional<Contact> contact = closest.distance <= body.radius
+                                               ? at_start(body, closest)
+                                               : Sweep(body, body.radius, triangle).first_entry();
+    if (!contact || !(contact->t <= 1.0)) return std::nullopt;
+    // What only ever grazes, even if it went on for ever, is not met: else a ball that rolls over a floor would stop at
+    // each seam. A ball smaller by `touch` passes the same gaps, so that nothing closed is ever left like this.
+    if (body.touch > 0.0 && !Sweep(body, body.radius - body.touch, triangle).first_entry())
+        return std::nullopt;
+    return contact;
 }
 
 }  // namespace rc::cast

@@ -36,7 +36,8 @@ struct Contact {
 };
 
 // Where the body first meets the triangle. A body that overlaps it at the start (deeper than `touch`) meets it at 0;
-// one that touches it meets it at 0 when moving closer, and not at all when moving along it or away.
+// one that touches it meets it at 0 when moving closer, and not at all when moving along it or away. A way that, even
+// continued, never leads deeper than `touch` only grazes, and meets nothing.
 [[nodiscard]] std::optional<Contact> first_contact(const Body& body, const Corners& triangle);
 
 // How the body overlaps the triangle where it stands (deeper than `touch`), t = 0.

@@ -22,8 +22,10 @@ double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-// For x >= 0.
+// For x >= 0. What lies within double's rounding below a float counts as that float, so that triangles which share the
+// corner that is touched tie.
 float rounded_down(double x) {
+    x += x * 0x1p-44;
     const auto nearest = static_cast<float>(x);
     if (static_cast<double>(nearest) <= x) return nearest;
     return std::bit_cast<float>(std::bit_cast<std::uint32_t>(nearest) -
@@ -60,7 +62,7 @@ Box PlacedBody::swept_box(double t) const {
 }
 
 CastHit PlacedBody::hit(const Contact& contact, std::uint32_t instance, std::uint32_t primitive) const {
-    return {.t = rounded_down(contact.t),
+    return {.t = std::min(rounded_down(contact.t), 1.0f),
             .depth = static_cast<float>(contact.depth),
             .point = glm::vec3(origin + contact.point),
             .normal = glm::vec3(contact.normal),

@@ -41,7 +41,7 @@ Cast a_cast(Random& random, bool is_capsule) {
     const float radius = random.below(8) == 0 ? 1e-3f : random.between(0.02f, 0.5f);
     glm::vec3 way = random.in_cube(1.0f) - 0.7f * from;  // most pass near the middle
     if (random.below(6) == 0) way = glm::vec3(0, -2.0f * from.y, 0);
-    return {from, to, radius, way * random.between(0.3f, 4.0f)};
+    return {{from, to}, radius, way * random.between(0.3f, 4.0f)};
 }
 
 struct Tally {
@@ -84,7 +84,8 @@ void compare(const Triangle& triangle, const Cast& cast, Tally& tally) {
         ++tally.hits;
         EXPECT_EQ(hit->depth, 0.0f);
         // Touching, 1e-5 of the radius or a float's step of the way.
-        EXPECT_NEAR(static_cast<double>(at_hit), static_cast<double>(r), 1e-5 * double{cast.radius} + 1e-6);
+        EXPECT_NEAR(static_cast<double>(at_hit), static_cast<double>(r),
+                    1e-5 * static_cast<double>(cast.radius) + 1e-6);
         ASSERT_TRUE(truth.first_t || truth.least_distance < r + slack);
         // Never later than the truth by more than its own rounding; earlier only as far as the slope is shallow.
         if (truth.first_t) {
