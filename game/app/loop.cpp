@@ -3,6 +3,7 @@
 #include "app/settings.h"
 #include "present/hud.h"
 #include "present/profiler.h"
+#include "sim/rules.h"
 
 #include <fmt/format.h>
 
@@ -142,14 +143,11 @@ void Loop::run_tick() {
         return;
     }
     const input::Command command = next_command();
-    const std::uint32_t caught_before = session_.simulation->state().rules.times_caught;
+    const bool goes_back = sim::wants_checkpoint(session_.simulation->state(), command);
     PhaseClock clock(tick_watch_);
     session_.simulation->step(command, &clock);
     const std::shared_ptr<const world::Snapshot> now = session_.simulation->snapshot();
-    if (now->state.rules.times_caught != caught_before &&
-        now->state.rules.outcome == world::Outcome::Playing) {
-        devices_.look_along(now->state.player.yaw, now->state.player.pitch);  // back at the checkpoint
-    }
+    if (goes_back) devices_.look_along(now->state.player.yaw, now->state.player.pitch);
     if (recorder_) {
         if (auto noted = recorder_->note_tick(command, now->state); !noted) trouble_ = noted.error();
     }
