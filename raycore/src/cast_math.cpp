@@ -12,9 +12,6 @@ namespace {
 
 // How far beyond its end a piece still counts, in shares of its size: more than rounding, less than a float sees.
 constexpr double kBeyond = 1e-12;
-// Motion whose slope towards the surface is below this is motion along it: it goes no deeper than a billionth of the
-// way, which is less than the float displacement was rounded by.
-constexpr double kAlong = 0x1p-30;
 
 double square(const glm::dvec3& v) {
     return glm::dot(v, v);
@@ -179,12 +176,10 @@ std::optional<Contact> first_contact(const Body& body, const Corners& triangle) 
     if (keeps_clear_of_plane(body, triangle)) return std::nullopt;
     const Closest closest = closest_points(body.axis, triangle, body.displacement);
     if (overlaps(body, closest)) return at_start(body, closest);
-    const double length = std::sqrt(square(body.displacement));
-    if (!(length > 0.0)) return std::nullopt;
-
+    if (!(square(body.displacement) > 0.0)) return std::nullopt;
+    // The distance to something convex that does not shrink at first never shrinks: resting bodies are done here.
     const bool is_touching = closest.distance <= body.radius + body.touch;
-    // The distance to something convex that does not shrink at first never shrinks: this triangle is done with.
-    if (is_touching && !(glm::dot(closest.normal, body.displacement) < -kAlong * length)) return std::nullopt;
+    if (is_touching && glm::dot(closest.normal, body.displacement) >= 0.0) return std::nullopt;
 
     const std::optional<Contact> contact = closest.distance <= body.radius
                                                ? at_start(body, closest)

@@ -177,6 +177,7 @@ TEST(Cast, TouchingStopsOnlyWhatMovesCloser) {
         return rc::capsule_cast(scene.scene(), axis, 0.25f, way, kAll);
     };
     EXPECT_FALSE(cast({3, 0, 1})) << "along, over the seams of the floor";
+    EXPECT_FALSE(cast({3, -1e-9f, 0})) << "along, but for the rounding of whoever computed the way";
     EXPECT_FALSE(cast({0, 2, 0})) << "away";
     EXPECT_FALSE(cast({0, 0, 0})) << "not at all";
     const auto into = cast({1, -0.01f, 0});
@@ -258,6 +259,43 @@ TEST(Cast, FarFromTheOriginNothingIsLostThatFloatsStillKnow) {
         ASSERT_EQ(a->normal, b->normal) << i;
     }
     EXPECT_GT(hits, 500);
+}
+
+// The tree is pruned by what has been met so far; pruned too far, walls vanish.
+TEST(Cast, TheTreeHidesNoTriangle) {
+    Random random(13);
+    const Mesh soup = make_soup(random, 120, 2.0f, 0.8f);
+    TestScene scene;
+    scene.add(soup);
+    scene.commit();
+    std::vector<TestScene> alone(soup.triangles.size());
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+        const glm::uvec3 t = soup.triangles[i];
+        alone[i].add({.positions = {soup.positions[t.x], soup.positions[t.y], soup.positions[t.z]},
+                      .triangles = {{0, 1, 2}}});
+        alone[i].commit();
+    }
+    int hits = 0;
+    for (int i = 0; i < 300; ++i) {
+        const glm::vec3 from = random.in_cube(3.0f), along = random.in_cube(i % 2 == 0 ? 0.0f : 0.8f);
+        const glm::vec3 way = random.in_cube(3.0f);
+        const float radius = random.between(0.0f, 0.2f);
+        std::optional<rc::CastHit> first;
+        for (std::uint32_t t = 0; t < alone.size(); ++t) {
+            const auto hit = rc::capsule_cast(alone[t].scene(), {from, from + along}, radius, way, kAll);
+            if (!hit || (first && hit->t >= first->t)) continue;
+            first = hit;
+            first->primitive = t;
+        }
+        const auto hit = rc::capsule_cast(scene.scene(), {from, from + along}, radius, way, kAll);
+        ASSERT_EQ(hit.has_value(), first.has_value()) << i;
+        if (!hit) continue;
+        ++hits;
+        ASSERT_EQ(hit->primitive, first->primitive) << i;
+        ASSERT_EQ(hit->t, first->t) << i;
+        ASSERT_EQ(hit->point, first->point) << i;
+    }
+    EXPECT_GT(hits, 100);
 }
 
 TEST(Cast, BatchesAnswerAsSingleCastsDo) {
