@@ -3,7 +3,10 @@
 #include "render/ambient_bake.h"
 #include "render/clear_mesh.h"
 #include "render/scene_view.h"
+#include "world/clear_parts.h"
+#include "world/layers.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace gh::render {
@@ -31,18 +34,18 @@ std::vector<MipTexture> shrink_textures(const world::Level& level, const Jobs& j
     return textures;
 }
 
-bool has_clear_triangles(const world::Level& level, const world::Mesh& mesh) {
-    for (const std::uint32_t id : mesh.materials) {
-        const world::Material& material = level.materials[id];
-        if (material.transmission > 0.0f || material.alpha_mode != world::AlphaMode::Opaque) return true;
-    }
-    return false;
+// Whether the level's maker told opaque parts from clear ones.
+bool are_layers_split(const world::Level& level) {
+    return std::all_of(level.parts.begin(), level.parts.end(), [](const world::Part& part) {
+        const rc::LayerMask kind = part.layers & (world::Opaque | world::Clear);
+        return (part.layers & world::Light) == 0 || kind == world::Opaque || kind == world::Clear;
+    });
 }
 
 std::vector<PartTraits> part_traits(const world::Level& level, const Jobs& jobs) {
     std::vector<std::uint8_t> is_clear(level.meshes.size(), 0), is_solid(level.meshes.size(), 0);
     jobs.run(level.meshes.size(), [&](std::size_t i, int) {
-        is_clear[i] = has_clear_triangles(level, level.meshes[i]) ? 1 : 0;
+        is_clear[i] = world::has_clear_triangles(level, level.meshes[i]) ? 1 : 0;
         is_solid[i] = is_clear[i] != 0 && is_closed_glass(level, level.meshes[i]) ? 1 : 0;
     });
     std::vector<PartTraits> parts(level.parts.size());
@@ -63,7 +66,9 @@ Prepared prepare(const world::Level& level, const world::Snapshot& rest, const J
     Prepared prepared;
     prepared.textures = shrink_textures(level, jobs);
     prepared.parts = part_traits(level, jobs);
+    const bool is_split = are_layers_split(level);
     for (const PartTraits& part : prepared.parts) prepared.has_clear_parts |= part.is_clear;
+    prepared.blocking_layers = is_split ? world::Opaque : world::Light;
     for (const world::Lamp& lamp : level.lamps) prepared.bulbs.push_back(bulb_clearance(level, rest, lamp));
 
     const Grid grid = make_grid(level.bounds, settings.spacing, settings.max_cells);

@@ -49,6 +49,11 @@ float terminator(const ShadingPoint& at, const glm::vec3& to_lamp) {
     return g * (1.0f + g - g * g);
 }
 
+// The lamp's own coordinates of its middle, as the eye sees it.
+glm::vec2 middle_of(const world::Lamp& lamp) {
+    return lamp.shape == world::LampShape::Sphere ? glm::vec2(0.0f) : glm::vec2(0.5f);
+}
+
 // Around the normal, more of them where they count more.
 glm::vec3 cosine_direction(const glm::vec3& normal, const glm::vec2& u) {
     const glm::vec3 any =
@@ -134,8 +139,11 @@ void TileTracer::add_area_shadows(const PathRay& path, const ShadingPoint& at, s
     const glm::vec3 part = light / static_cast<float>(count);
     for (int i = 0; i < count; ++i) {
         const auto number = static_cast<std::uint32_t>(sample_ * count + i);
-        const glm::vec3 target =
-            lamp_point(lamp, at.surface.position, sampler.point(number, lamp_id, path.depth));
+        // What is seen in a mirror's glimmer is not shared; one look at the middle is better than noise.
+        const glm::vec2 u = path.is_leading || frame_.settings.samples_per_pixel > 1
+                                ? sampler.point(number, lamp_id, path.depth)
+                                : middle_of(lamp);
+        const glm::vec3 target = lamp_point(lamp, at.surface.position, u);
         if (is_main) pixel(path).unshadowed += part;
         // What of the lamp is below the horizon is not in `light`; a point there says nothing about the rest.
         const bool is_below = glm::dot(target - at.surface.position, at.geometric) <= 0.0f;

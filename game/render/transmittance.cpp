@@ -68,13 +68,41 @@ glm::vec3 transmittance(const SceneView& view, const rc::Ray& shadow_ray) {
 
 void ShadowBatch::answer(const SceneView& view, std::span<const rc::Ray> rays, std::span<glm::vec3> shares) {
     EXPECTS(rays.size() == shares.size());
-    is_blocked_.resize(rays.size());
-    rc::any_hits(*view.snapshot.scene, rays, world::Light, is_blocked_);
     looked_through_ = 0;
+    is_blocked_.resize(rays.size());
+    rc::any_hits(*view.snapshot.scene, rays, view.prepared.blocking_layers, is_blocked_);
+    for (std::size_t i = 0; i < rays.size(); ++i) shares[i] = glm::vec3(is_blocked_[i] != 0 ? 0.0f : 1.0f);
+    if (!view.prepared.has_clear_parts) return;
+    if (view.prepared.blocking_layers == world::Opaque) {
+        look_through_what_is_left(view, rays, shares);
+    } else {
+        look_through_what_is_blocked(view, rays, shares);
+    }
+}
+
+void ShadowBatch::look_through_what_is_blocked(const SceneView& view, std::span<const rc::Ray> rays,
+                                               std::span<glm::vec3> shares) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        shares[i] = glm::vec3(is_blocked_[i] != 0 ? 0.0f : 1.0f);
-        if (is_blocked_[i] == 0 || !view.prepared.has_clear_parts) continue;
+        if (is_blocked_[i] == 0) continue;
         shares[i] = transmittance(view, rays[i]);
+        ++looked_through_;
+    }
+}
+
+void ShadowBatch::look_through_what_is_left(const SceneView& view, std::span<const rc::Ray> rays,
+                                            std::span<glm::vec3> shares) {
+    left_.clear();
+    left_index_.clear();
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (is_blocked_[i] != 0) continue;
+        left_.push_back(rays[i]);
+        left_index_.push_back(i);
+    }
+    meets_glass_.resize(left_.size());
+    rc::any_hits(*view.snapshot.scene, left_, world::Clear, meets_glass_);
+    for (std::size_t i = 0; i < left_.size(); ++i) {
+        if (meets_glass_[i] == 0) continue;
+        shares[left_index_[i]] = transmittance(view, left_[i]);
         ++looked_through_;
     }
 }

@@ -22,7 +22,7 @@ namespace gh::render {
 // Beer's law over `length` metres of a glass.
 [[nodiscard]] glm::vec3 absorbed(const world::Material& glass, float length);
 
-// The same for many: one batch that finds what is blocked at all, then the way through glass for the few that are.
+// The same for many: one batch finds what opaque parts block, one what meets glass at all; few must look through it.
 // Keeps its memory for the next call.
 class ShadowBatch {
   public:
@@ -32,7 +32,15 @@ class ShadowBatch {
     }  // rays of the last call sent twice
 
   private:
+    void look_through_what_is_blocked(const SceneView& view, std::span<const rc::Ray> rays,
+                                      std::span<glm::vec3> shares);
+    void look_through_what_is_left(const SceneView& view, std::span<const rc::Ray> rays,
+                                   std::span<glm::vec3> shares);
+
     std::vector<std::uint8_t> is_blocked_;
+    std::vector<std::uint8_t> meets_glass_;
+    std::vector<rc::Ray> left_;
+    std::vector<std::size_t> left_index_;
     std::size_t looked_through_ = 0;
 };
 
