@@ -16,12 +16,12 @@ float length_of(const glm::vec3& v) {
 }
 
 // What one surface leaves of the light.
-glm::vec3 surface_share(const world::Material& material, float cosine) {
-    const glm::vec3 through = material.transmission > 0.0f
-                                  ? glm::vec3(material.base_color) * material.transmission
-                                  : glm::vec3(1.0f - material.base_color.a);
-    const float reflected = material.transmission > 0.0f ? fresnel_reflectance(cosine, material.ior) : 0.0f;
-    return through * (1.0f - reflected);
+glm::vec3 surface_share(const world::Material& material, float cosine, bool is_sheet) {
+    if (!(material.transmission > 0.0f)) return glm::vec3(1.0f - material.base_color.a);
+    const float once = fresnel_reflectance(cosine, material.ior);
+    const float reflected =
+        is_sheet ? 2.0f * once / (1.0f + once) : once;  // a sheet's two borders, summed up
+    return glm::vec3(material.base_color) * (material.transmission * (1.0f - reflected));
 }
 
 // What `metres` of the inside leave of it.
@@ -36,18 +36,19 @@ glm::vec3 inside_share(const world::Material& material, float metres) {
     return share;
 }
 
-// How far back the light entered the part that it leaves at faces[leaving]; 0: it never entered.
-float metres_inside(std::span<const Face> faces, std::size_t leaving, float metres) {
+// The face that closes what faces[i] opens, or opened what it closes, as brackets pair; kMaxFaces: a sheet has none.
+std::size_t partner_of(std::span<const Face> faces, std::size_t i) {
+    const std::size_t step = faces[i].enters ? std::size_t{1} : static_cast<std::size_t>(-1);
     int depth = 0;
-    for (std::size_t i = leaving; i-- > 0;) {
-        if (faces[i].part != faces[leaving].part) continue;
-        if (!faces[i].enters) {
+    for (std::size_t j = i + step; j < faces.size(); j += step) {  // leaves the range at either end
+        if (faces[j].part != faces[i].part) continue;
+        if (faces[j].enters == faces[i].enters) {
             ++depth;
         } else if (depth-- == 0) {
-            return (faces[leaving].t - faces[i].t) * metres;
+            return j;
         }
     }
-    return 0.0f;
+    return kMaxFaces;
 }
 
 }  // namespace
@@ -77,8 +78,9 @@ glm::vec3 light_transmittance(const world::Level& level, const rc::Scene& scene,
     for (std::size_t i = 0; i < faces.size(); ++i) {
         if (faces[i].part == source_part) return share;
         if (!lets_light_through(*faces[i].material)) return glm::vec3(0.0f);
-        share *= surface_share(*faces[i].material, faces[i].cosine);
-        if (!faces[i].enters) share *= inside_share(*faces[i].material, metres_inside(faces, i, metres));
+        const std::size_t partner = partner_of(faces, i);
+        share *= surface_share(*faces[i].material, faces[i].cosine, partner == kMaxFaces);
+        if (partner < i) share *= inside_share(*faces[i].material, (faces[i].t - faces[partner].t) * metres);
     }
     return met.is_complete ? share : glm::vec3(0.0f);
 }

@@ -1,8 +1,9 @@
 // sense/glass.h - what of a straight beam of light gets through panes.
 //
 // Every surface crossed takes its Fresnel reflection and its tint (base colour x transmission, or 1 - alpha of a
-// blended material); what lies between entering and leaving one part absorbs by Beer's law. The beam is not bent:
-// a pane shifts it by a third of its thickness, which no shadow shows.
+// blended material); what lies between entering and leaving one part absorbs by Beer's law. A face without a partner
+// is a sheet too thin to have an inside: both of its borders reflect, to and fro. The beam is not bent: a pane shifts
+// it by a third of its thickness, which no shadow shows.
 // Textures of glass are not looked at: its factors speak for it. Threads: pure. Same bits: no libm.
 #pragma once
 

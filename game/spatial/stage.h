@@ -1,19 +1,15 @@
-// spatial/stage.h - turns a State into the Snapshot everybody asks: pose, refit what changed, rebuild the top
-// level.
+// spatial/stage.h - turns a State into the Snapshot everybody asks: pose, refit what changed, rebuild the top level.
 //
 //   spatial::Stage stage(level);                        // once: builds every tree
 //   const world::Snapshot now = stage.commit(state);    // every tick
 //
-// Cost      construction: a high-quality build of every mesh. commit: a refit of every guard whose pose
-// changed
-//           (about 0.1 us a triangle), then O(parts log parts).
-// Threads   one Stage belongs to one thread; its Snapshots are immutable and may be read, and dropped, on
-// any. A body
-//           that somebody still reads is never written: the next pose goes into another of the guard's pool.
-// Same bits a Snapshot answers as a pure function of (Level, State), whatever was committed before, on any
-// number of
+// Cost      construction: a high-quality build of every mesh. commit: skinning and a refit for every guard whose pose
+//           changed, then O(parts log parts) for the top level.
+// Threads   one Stage belongs to one thread; its Snapshots are immutable and may be read, and dropped, on any. A body
+//           that somebody still reads is never written: the next pose goes into another (wardrobe.h).
+// Same bits a Snapshot answers as a pure function of (Level, State), whatever was committed before, on any number of
 //           threads. Trees may differ after a rewind; answers can not.
-// Bad input a checked Level, a State made for it.
+// Bad input a checked Level, and a State made for it.
 #pragma once
 
 #include "base/jobs.h"

@@ -1,8 +1,8 @@
-// spatial/transforms.h - where everything stands in a State: from the glTF node's rest pose and what has
-// moved it.
+// spatial/transforms.h - where everything stands in a State: the glTF node's rest pose and what has moved it since.
 //
 // Chain     world_from_part = world_from_mover(state) * mover_from_part(level).
-// Units     metres, radians, right-handed, +y up. Same bits: det_math only.
+// Units     metres, radians, right-handed, +y up.
+// Same bits det_math only.
 // Bad input a checked Level and a State of it; indices in range (contract).
 #pragma once
 

@@ -191,6 +191,15 @@ TEST(LampLight, APaneReflectsByFresnelAtBothFacesAndAbsorbsBetween) {
     EXPECT_NEAR(light.b, faces * 0.0625f, 1e-5f);
 }
 
+TEST(LampLight, AThinSheetLetsThroughWhatASlabDoes) {
+    test::SmallLevel small;
+    small.add_lamp(point_lamp({0.0f, 2.0f, 0.0f}, glm::vec3(4.0f)));
+    const std::uint32_t glass = small.add_material(tinted_glass(glm::vec3(1.0f), 1.5f));
+    small.add_sheet({0.3f, 1.0f, 0.1f}, {1.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -1.0f}, glass);
+    // (1 - R) / (1 + R) with R = 0.04: all passes to and fro between its two borders.
+    EXPECT_NEAR(light_on(small.level, {.position = glm::vec3(0.0f)}).r, 0.923077f, 1e-5f);
+}
+
 TEST(Glass, FresnelAtKnownAngles) {
     EXPECT_NEAR(fresnel_reflectance(1.0f, 1.5f), 0.04f, 1e-6f);
     EXPECT_NEAR(fresnel_reflectance(0.0f, 1.5f), 1.0f, 1e-6f);

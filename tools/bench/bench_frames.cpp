@@ -1,0 +1,51 @@
+#include "bench_frames.h"
+
+#include "base/hash.h"
+#include "base/jobs.h"
+#include "figures.h"
+#include "render/whitted.h"
+#include "spatial/stage.h"
+#include "world/initial_state.h"
+
+namespace bench {
+namespace {
+
+using namespace gh;
+
+constexpr std::size_t kCameras = 4;
+
+std::uint64_t picture_hash(const Image& picture) {
+    Hasher hash;
+    for (const glm::vec3& pixel : picture.pixels) hash.add(pixel);
+    return hash.digest();
+}
+
+}  // namespace
+
+void bench_frames(const std::shared_ptr<const world::Level>& level, int threads, int rounds) {
+    const Jobs jobs(threads);
+    spatial::Stage stage(level);
+    const world::Snapshot now = stage.commit(world::initial_state(*level, 1));
+    const double start = clock_ms();
+    const render::Prepared prepared = render::prepare(*level, now, jobs);
+    std::printf("\nrender, %d threads; preparing the level took %.0f ms", threads, clock_ms() - start);
+
+    for (const auto& [width, height] : {std::pair(640, 360), std::pair(1280, 720)}) {
+        const std::string size = std::to_string(width) + "x" + std::to_string(height);
+        print_head(("a Whitted frame, " + size).c_str());
+        const std::size_t count = std::min(kCameras, level->viewpoints.size());
+        for (std::size_t i = 0; i < count; ++i) {
+            const world::Viewpoint& viewpoint = level->viewpoints[i * level->viewpoints.size() / count];
+            render::Film film(width, height);
+            const Samples samples = measure(rounds, 1, [&](int) {
+                render::render_whitted({*level, now, prepared}, render::camera_from(viewpoint), {}, 0, jobs,
+                                       film);
+            });
+            print_row(viewpoint.name, samples, picture_hash(film.radiance));
+            std::printf("  (%.2f M rays, %.1f a pixel)\n", static_cast<double>(film.stats.total()) * 1e-6,
+                        static_cast<double>(film.stats.total()) / (width * height));
+        }
+    }
+}
+
+}  // namespace bench

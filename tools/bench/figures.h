@@ -1,0 +1,54 @@
+// figures.h - repeated measurements: medians with quartiles, and the hash of what was answered, so that a fast wrong
+// answer is caught.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+inline double clock_ms() {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+struct Samples {
+    std::vector<double> ms;
+
+    [[nodiscard]] double at(double share) const {
+        if (ms.empty()) return 0.0;
+        std::vector<double> sorted = ms;
+        std::sort(sorted.begin(), sorted.end());
+        return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1) + 0.5)];
+    }
+};
+
+// Times `work` `rounds` times; each sample is divided by `calls`, the number of calls that one `work` makes.
+inline Samples measure(int rounds, std::size_t calls, const std::function<void(int round)>& work) {
+    Samples samples;
+    for (int round = 0; round < rounds; ++round) {
+        const double start = clock_ms();
+        work(round);
+        samples.ms.push_back((clock_ms() - start) / static_cast<double>(calls));
+    }
+    return samples;
+}
+
+inline void print_head(const char* what) {
+    std::printf("\n%-44s %9s  %19s  %s\n", what, "median ms", "[quartiles]", "answer");
+}
+
+inline void print_row(const std::string& name, const Samples& samples, std::uint64_t answer = 0) {
+    std::printf("%-44s %9.4f  [%8.4f %8.4f]  ", name.c_str(), samples.at(0.5), samples.at(0.25),
+                samples.at(0.75));
+    if (answer != 0) std::printf("%016llx", static_cast<unsigned long long>(answer));
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
+}  // namespace bench

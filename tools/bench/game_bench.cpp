@@ -1,0 +1,81 @@
+// game_bench - milliseconds of the game on a level: posing and asking the world, whole ticks by room, and pictures.
+//
+//   game_bench assets/levels/foyer.glb --replay assets/replays/win.replay
+#include "bench_frames.h"
+#include "bench_senses.h"
+#include "bench_ticks.h"
+#include "input/replay.h"
+#include "load/level_loader.h"
+
+#include "raycore/isa.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+namespace {
+
+struct Options {
+    std::string level = "assets/levels/foyer.glb";
+    std::string replay, isa;
+    int rounds = 10;
+    int ticks = 1800;
+    int threads = 2;
+    bool without_frames = false;
+};
+
+Options read_options(int argc, char** argv) {
+    Options options;
+    CLI::App app("What the game costs on a level: spatial and sense by call, ticks by room, frames.");
+    app.add_option("LEVEL", options.level, "a glTF level");
+    app.add_option("--replay", options.replay,
+                   "whose commands to tick through; without it a restless player's");
+    app.add_option("--rounds", options.rounds, "samples; medians are over them")->check(CLI::Range(3, 1000));
+    app.add_option("--ticks", options.ticks, "ticks of a run without a replay")
+        ->check(CLI::Range(1, 1'000'000));
+    app.add_option("--threads", options.threads, "for frames")->check(CLI::Range(1, 256));
+    app.add_option("--isa", options.isa, "scalar, avx2 or avx512");
+    app.add_flag("--without-frames", options.without_frames, "ticks alone");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        std::exit(app.exit(error) == 0 ? 0 : 2);
+    }
+    return options;
+}
+
+int refuse(const std::string& sentence) {
+    std::fprintf(stderr, "game_bench: %s\n", sentence.c_str());
+    return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const Options options = read_options(argc, argv);
+    if (!options.isa.empty()) {
+        const std::optional<rc::Isa> isa = rc::isa_from_name(options.isa);
+        if (!isa || !rc::use_isa(*isa)) return refuse("--isa " + options.isa + ": not known here");
+    }
+    gh::Result<gh::world::Level> loaded = gh::load::load_level(options.level);
+    if (!loaded) return refuse(loaded.error().sentence);
+    const auto level = std::make_shared<const gh::world::Level>(std::move(*loaded));
+    std::size_t triangles = 0;
+    for (const gh::world::Part& part : level->parts) triangles += level->meshes[part.mesh].triangles.size();
+    std::printf("%s: %zu parts, %zu triangles, %zu lamps, %zu guards; %s\n", options.level.c_str(),
+                level->parts.size(), triangles, level->lamps.size(), level->guards.size(),
+                std::string(rc::isa_name(rc::active_isa())).c_str());
+
+    std::vector<gh::input::Command> commands = bench::restless_player(options.ticks);
+    if (!options.replay.empty()) {
+        gh::Result<gh::input::Replay> replay = gh::input::read_replay(options.replay);
+        if (!replay) return refuse(replay.error().sentence);
+        commands = std::move(replay->commands);
+    }
+    bench::bench_stage_and_senses(level, options.rounds);
+    bench::bench_ticks(level, commands, options.rounds);
+    if (!options.without_frames) bench::bench_frames(level, options.threads, options.rounds);
+    return 0;
+}
