@@ -7,11 +7,14 @@
 #include "load/level_build.h"
 #include "load/level_check.h"
 #include "load/limits.h"
+#include "load/navmesh.h"
 #include "load/part_geometry.h"
+#include "world/clear_parts.h"
 
 #include <fmt/format.h>
 
 #include <exception>
+#include <optional>
 
 namespace gh::load {
 namespace {
@@ -64,6 +67,7 @@ Result<world::Level> build_level(const tinygltf::Model& model) {
     level.materials = std::move(materials->materials);
     level.textures = textures.take();
     if (const Result<void> checked = check_ranges(level); !checked) return checked.error();
+    world::mark_clear_parts(level);
     if (needs_spawn) level.spawn = find_spawn(level);
     return level;
 }
@@ -76,22 +80,53 @@ Result<world::Level> read_level(std::span<const std::byte> bytes, const std::fil
     return level;
 }
 
+// Ways are needed where somebody walks them or a check must follow them; any other place is spared the wait.
+bool needs_ways(const world::Level& level) {
+    return !level.guards.empty() || !level.lenses.empty() || !level.exits.empty();
+}
+
+// Without ways guards stand still; no level is refused for that (check_level tells).
+void add_ways(const std::filesystem::path& navmesh_file, world::Level& level) {
+    if (!needs_ways(level)) return;
+    const Result<Ground> ground = collect_ground(level);
+    if (!ground) return;
+    std::optional<std::vector<std::byte>> kept;
+    if (!navmesh_file.empty()) kept = read_navmesh_file(navmesh_file, *ground);
+    if (kept) {
+        level.navmesh = std::move(*kept);
+    } else if (Result<std::vector<std::byte>> baked = bake_navmesh(*ground); baked) {
+        level.navmesh = std::move(*baked);
+    }
+    level.navmesh_hash = hash_bytes(level.navmesh);
+}
+
 Error in_file(const std::string& name, const Error& error) {
     return Error{fmt::format("{}: {}", name, error.sentence)};
+}
+
+struct Origin {
+    std::string name;  // for sentences
+    std::filesystem::path base_dir;
+    std::filesystem::path navmesh_file;  // empty: none is looked for
+};
+
+Result<world::Level> load_named(std::span<const std::byte> bytes, const Origin& origin) {
+    try {
+        Result<world::Level> level = read_level(bytes, origin.base_dir);
+        if (!level) return in_file(origin.name, level.error());
+        level->name = std::filesystem::path(origin.name).stem().string();
+        add_ways(origin.navmesh_file, *level);
+        return level;
+    } catch (const std::bad_alloc&) {
+        return in_file(origin.name, Error{"needs more memory than there is"});
+    }
 }
 
 }  // namespace
 
 Result<world::Level> load_level_from_memory(std::span<const std::byte> bytes, const std::string& name,
                                             const std::filesystem::path& base_dir) {
-    try {
-        Result<world::Level> level = read_level(bytes, base_dir);
-        if (!level) return in_file(name, level.error());
-        level->name = std::filesystem::path(name).stem().string();
-        return level;
-    } catch (const std::bad_alloc&) {
-        return in_file(name, Error{"needs more memory than there is"});
-    }
+    return load_named(bytes, {name, base_dir, {}});
 }
 
 Result<world::Level> load_level(const std::filesystem::path& path) {
@@ -99,7 +134,7 @@ Result<world::Level> load_level(const std::filesystem::path& path) {
     if (!bytes) return bytes.error();
     std::filesystem::path base_dir = path.parent_path();
     if (base_dir.empty()) base_dir = ".";
-    return load_level_from_memory(*bytes, path.filename().string(), base_dir);
+    return load_named(*bytes, {path.filename().string(), base_dir, navmesh_path(path)});
 }
 
 }  // namespace gh::load
