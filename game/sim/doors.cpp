@@ -66,7 +66,8 @@ bool DoorBodies::overlaps(const world::Level& level, const world::State& state, 
     const rc::Segment axis_door{spatial::point_through(door_from_world, axis.from),
                                 spatial::point_through(door_from_world, axis.to)};
     std::array<rc::CastHit, 1> contact;
-    return rc::capsule_overlaps(*closed_[door], axis_door, body.radius, rc::kAllLayers, contact) != 0;
+    constexpr float kMargin = 0.005f;  // metres: rounding of another frame must not let a leaf touch
+    return rc::capsule_overlaps(*closed_[door], axis_door, body.radius + kMargin, rc::kAllLayers, contact) != 0;
 }
 
 void toggle_door(const world::Level& level, world::State& state, std::size_t door, std::uint8_t by_guard) {

@@ -84,14 +84,16 @@ void slide(const rc::Scene& scene, Body& body, glm::vec3 displacement, bool is_w
     for (std::size_t i = 0; i < kMaxSlides; ++i) {
         const float length = length_of(displacement);
         if (!(length > kShortest)) return;
-        const auto hit = rc::capsule_cast(scene, axis_of(body), body.radius, displacement, world::Solid);
-        if (!hit) {
+        // Looking ahead by the padding, so that the last step before a wall does not end inside it.
+        const glm::vec3 direction = displacement / length;
+        const float ahead = length + kPadding;
+        const auto hit = rc::capsule_cast(scene, axis_of(body), body.radius, direction * ahead, world::Solid);
+        const float approach = hit ? std::max(-glm::dot(direction, hit->normal), kMinApproach) : 1.0f;
+        const float advance = hit ? std::max(hit->t * ahead - kPadding / approach, 0.0f) : length;
+        if (!hit || advance >= length) {
             body.feet += displacement;
             return;
         }
-        const glm::vec3 direction = displacement / length;
-        const float approach = std::max(-glm::dot(direction, hit->normal), kMinApproach);
-        const float advance = std::max(hit->t * length - kPadding / approach, 0.0f);
         body.feet += direction * advance;
 
         planes[i] = is_walking ? plane_for_walking(hit->normal) : hit->normal;
@@ -117,7 +119,9 @@ void walk(const rc::Scene& scene, Body& body, const glm::vec3& displacement, glm
     glm::vec3 velocity_over = velocity_before;
     slide(scene, over, displacement, true, velocity_over);
     if (progress(start.feet, over.feet, displacement) <= reached + 1e-3f * wanted) return;
-    if (!stand(scene, over, rise + kPadding).is_there) return;
+    const Ground tread = stand(scene, over, rise + kPadding);
+    constexpr float kRounding = 1e-3f;
+    if (!tread.is_there || tread.height > start.feet.y + kStepHeight + kRounding) return;
     body = over;
     velocity = velocity_over;
 }
@@ -130,7 +134,7 @@ Ground stand(const rc::Scene& scene, Body& body, float reach) {
     if (!hit) return ground;
     if (!is_floor(hit->normal) && !is_tread_beyond(scene, body, *hit)) return ground;
 
-    ground = {true, hit->normal, hit->instance, hit->primitive};
+    ground = {true, hit->point.y, hit->instance, hit->primitive};
     const float fall = hit->t * drop - kPadding;
     if (fall > kSettled) body.feet.y -= fall;
     if (fall < -kSettled) body.feet.y += clear_height(scene, body, -fall);

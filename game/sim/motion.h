@@ -31,7 +31,7 @@ struct Body {
 
 struct Ground {
     bool is_there = false;  // and flat enough to stand on
-    glm::vec3 normal{0.0f, 1.0f, 0.0f};
+    float height = 0.0f;    // of the place that is touched
     std::uint32_t instance = rc::kNone;
     std::uint32_t primitive = rc::kNone;
 };

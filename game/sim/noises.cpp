@@ -14,7 +14,7 @@ using world::Surface;
 
 constexpr float kNeedleFallDb = 0.75f;  // a tick: from a step to silence in about a second
 constexpr float kRunDb = 11.0f;         // louder than walking
-constexpr float kCrouchDb = -15.0f;
+constexpr float kCrouchDb = -17.0f;
 constexpr float kQuietStoneSpeed = 0.25f;  // m/s: slower touches make no sound
 
 // In the order of world::Surface: marble concrete parquet plaster stud glass pane oak metal curtain ceiling carpet.

@@ -125,6 +125,15 @@ void keep_off_guards(const world::Level& level, const rc::Scene& scene, const wo
     }
 }
 
+bool is_in_a_moved_door(const world::Level& level, const world::Snapshot& before, const DoorBodies& doors,
+                        const world::State& state, const Body& body) {
+    for (std::size_t d = 0; d < level.doors.size(); ++d) {
+        const bool has_moved = state.doors[d].angle != before.state.doors[d].angle;
+        if (has_moved && doors.overlaps(level, state, d, body)) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 Body body_of(const PlayerState& player) {
@@ -150,8 +159,8 @@ void decide_player(const world::Snapshot& before, const input::Command& command,
     change_lean(*before.scene, command, player);
 }
 
-void move_player(const world::Level& level, const world::Snapshot& before, const input::Command& command,
-                 world::State& state) {
+void move_player(const world::Level& level, const world::Snapshot& before, const DoorBodies& doors,
+                 const input::Command& command, world::State& state) {
     PlayerState& player = state.player;
     const rc::Scene& scene = *before.scene;
     Body body = body_of(player);
@@ -169,6 +178,10 @@ void move_player(const world::Level& level, const world::Snapshot& before, const
         move_in_air(level, scene, body, player);
     }
     keep_off_guards(level, scene, state, body);
+    if (is_in_a_moved_door(level, before, doors, state, body)) {
+        body.feet = player.position;  // where the door has just made sure that it passes
+        player.velocity = glm::vec3(0.0f);
+    }
     const glm::vec3 moved = body.feet - player.position;
     player.position = body.feet;
     if (player.is_grounded != 0) player.stride += flat_length(moved);

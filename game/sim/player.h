@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "input/command.h"
+#include "sim/doors.h"
 #include "sim/motion.h"
 #include "world/snapshot.h"
 #include "world/state.h"
@@ -29,9 +30,9 @@ inline constexpr float kJumpHeight = 1.0f;    // metres the feet rise
 // Turns the view and settles stance and lean: what the player wants of the body.
 void decide_player(const world::Snapshot& before, const input::Command& command, world::State& state);
 
-// Moves the body through the world as it last stood.
-void move_player(const world::Level& level, const world::Snapshot& before, const input::Command& command,
-                 world::State& state);
+// Moves the body through the world as it last stood, but not into a door that has moved since.
+void move_player(const world::Level& level, const world::Snapshot& before, const DoorBodies& doors,
+                 const input::Command& command, world::State& state);
 
 // Steps and landings since the last tick. `before` is the state at its end.
 void sound_player(const world::State& before, const input::Command& command, world::State& state);

@@ -83,7 +83,7 @@ void Simulation::step(const input::Command& given, PhaseObserver* observer) {
         move_mirrors(level, state);
 
         begin(Phase::Motion);
-        move_player(level, before, command, state);
+        move_player(level, before, d.doors, command, state);
         move_guards(then, state);
 
         begin(Phase::Stones);
