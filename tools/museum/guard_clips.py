@@ -147,7 +147,7 @@ def gait(pose, phase, speed, cycle_s, duty, reach_front, lift, across, toe_off_d
 def walk(t):
     a = TAU * t
     # Lowest in double support (t = 0, 1/2), highest over the standing leg.
-    height = -.034 - .016 * np.cos(2 * a)
+    height = -.037 - .016 * np.cos(2 * a)
     lateral = .018 * np.sin(a)
     pose = Pose((lateral, -.005, height), turn("z", 5.5 * np.cos(a)) @ turn("y", -2.2 * np.sin(a)))
     trunk(pose, -2.5, -9.5 * np.cos(a), 2.0 * np.sin(a), 0, -1.5 * np.cos(a), .3)
@@ -162,7 +162,7 @@ def walk(t):
 def run(t):
     a = TAU * t
     # One flight after each push-off: lowest in the middle of each stance.
-    height = -.058 - .034 * np.cos(2 * (a - TAU * .155))
+    height = -.066 - .034 * np.cos(2 * (a - TAU * .155))
     pose = Pose((.010 * np.sin(a), .02, height), turn("z", 9 * np.cos(a)) @ turn("x", -5) @ turn("y", -3 * np.sin(a)))
     trunk(pose, -10, -20 * np.cos(a), 2 * np.sin(a), -2, 0, .6)
     gait(pose, t, RUN_SPEED, RUN_FRAMES / FRAMES_PER_SECOND, .31, .36,

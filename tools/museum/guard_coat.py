@@ -170,9 +170,9 @@ def front_patch(part, outline, heights, thickness, material, columns=4):
 
 
 def trimmings(cloth):
-    """Facing, lapels, pocket flaps, shoulder straps, belt with buckle, buttons, collar."""
+    """Facing, shirt, lapels, pocket flaps, shoulder straps, back pleat, belt with buckle, buttons, collar."""
     parts = []
-    heights = rimmed(np.linspace(0.675, 1.350, 16), 0.005)
+    heights = rimmed(np.linspace(0.675, 1.350, 12), 0.005)
     parts.append(front_patch(cloth, lambda z: (-0.058 - 0.02 * max(0, 1.0 - z), 0.070 + 0.02 * max(0, 1.0 - z)),
                              heights, 0.006, "guard_coat", 5))
     lapel = interpolate
@@ -196,6 +196,8 @@ def trimmings(cloth):
     for z in (1.275, 1.185, 1.105, 0.965, 0.875):
         for x in (-0.044, 0.052):
             parts.append(button(project(cloth, [(x, 0.6, z)], (0, -1, 0))[0], 0.0105, 0.0045))
+    pleat = [[(x, -0.6, z) for x in rimmed((0.011, -0.011), -0.003)] for z in rimmed(np.linspace(0.675, 1.43, 10), 0.004)]
+    parts.append(layer(cloth, pleat, (0, 1, 0), 0.005, "guard_coat"))
     return parts + belt() + collar()
 
 
@@ -211,7 +213,7 @@ def belt():
     """Leather round the waist, its section rounded, and a brass buckle."""
     rings = []
     for z, out in ((1.072, .0), (1.073, .007), (1.066, .010), (1.034, .010), (1.027, .007), (1.028, .0)):
-        rings.append(ring((0, .002, z), (1, 0, 0), (0, 1, 0), .158 + out, .114 + out, 30, 2.25))
+        rings.append(ring((0, .002, z), (1, 0, 0), (0, 1, 0), .158 + out, .114 + out, 28, 2.25))
     shares = [torso_weights(0.0, 1.05)] * len(rings)
     parts = [loft(rings, "guard_leather", shares)]
     frame = slab((.027, .026, .004), (0, 0, 0), np.eye(3), "guard_brass", torso_weights(0.0, 1.05), 0.5)
@@ -229,7 +231,7 @@ def collar():
     """A stand-and-fall collar, open at the throat."""
     profile = [(1.512, .074, .072), (1.548, .069, .070), (1.566, .071, .073), (1.560, .080, .082),
                (1.528, .092, .094), (1.505, .103, .100), (1.502, .099, .096)]
-    count, rows = 21, []
+    count, rows = 19, []
     for z, hx, hy in profile:
         opening = 0.28 + 1.6 * (1.566 - z) * 3.2
         angle = np.linspace(opening, 2 * np.pi - opening, count)

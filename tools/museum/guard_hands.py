@@ -80,21 +80,21 @@ def fist():
     """Fingers closed round the torch's barrel, which runs through the hand along x."""
     parts = [palm("hand.R"), glove_cuff("hand.R")]
     for x, y, z, a, b, c, r in FINGERS:
-        parts.append(finger((x * .96, y - .002, z), (0, 1, -.12), (68, 92, 62), (a * .98, b * 1.05, c), r, "hand.R"))
-    parts.append(finger((.033, -.046, -.012), (.30, .80, -.66), (10, 42, 38), (.040, .036, .028), .0118, "hand.R"))
+        parts.append(finger((x * .96, y - .002, z), (0, 1, -.12), (60, 75, 45), (a * .98, b * 1.05, c), r, "hand.R"))
+    parts.append(finger((.026, -.052, -.014), (.86, .26, -.44), (0, 14, 22), (.036, .028, .020), .0112, "hand.R"))
     return parts
 
 
 def torch():
     """A night watchman's torch: knurled barrel, flared head, glowing lens."""
-    at, axis = (0, .012, -.0305), (.96, .27, 0)
+    at, axis = (.014, -.010, -.0345), (.97, .24, 0)
     barrel = [(0, -.105), (.015, -.105), (.0185, -.102), (.0190, -.088), (.0170, -.084), (.0168, -.02), (.0168, .05),
               (.0175, .058), (.0185, .062), (.0185, .072), (.0260, .092), (.0300, .108), (.0305, .124), (.0290, .127),
               (.0255, .126), (.0245, .121)]
     lens = [(.0250, .1212), (.0235, .1228), (.0160, .1245), (0, .1252)]
     body = turned(barrel, at, axis, "guard_steel", "torch", 13)
     glow = turned(lens, at, axis, "guard_torch_glow", "torch", 13)
-    switch = turned([(.006, .0), (.006, .004), (.004, .006), (0, .0062)], (.055, .012, -.0145), (0, 0, 1.0),
+    switch = turned([(.006, .0), (.006, .004), (.004, .006), (0, .0062)], (.067, .004, -.0190), (0, 0, 1.0),
                     "guard_brass", "torch", 8, (1, 0, 0))
     return [body, glow, switch]
 

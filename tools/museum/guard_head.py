@@ -4,7 +4,7 @@ import numpy as np
 from guard_shapes import Part, ball, interpolate, loft, ring, smoothstep, turned
 
 MIDDLE = np.array((0.0, 0.006, 1.662))  # the egg's centre
-COLUMNS = 36
+COLUMNS = 35
 
 
 def bump(x, z, at_x, at_z, size_x, size_z):
@@ -157,7 +157,7 @@ def ear(sign):
 
 def hair():
     """A close-cropped cap of hair from temple to nape, hugging the skull outside the face."""
-    angle = np.linspace(0.42 * np.pi, 1.58 * np.pi, 19)
+    angle = np.linspace(0.42 * np.pi, 1.58 * np.pi, 17)
     rows = []
     for u, lift in ((0, .001), (.08, .0065), (.4, .0085), (.75, .008), (.95, .0065), (1.0, -.002)):
         behind = smoothstep(0.46 * np.pi, 0.74 * np.pi, np.minimum(angle, 2 * np.pi - angle))
@@ -185,7 +185,7 @@ def cap():
         return part
 
     def rings(profile):
-        return [ring((0, y, z), (1, 0, 0), (0, 1, 0), hx, hy, 26, 2.1) for z, hx, hy, y in profile]
+        return [ring((0, y, z), (1, 0, 0), (0, 1, 0), hx, hy, 25, 2.1) for z, hx, hy, y in profile]
 
     crown = rings([(1.8165, .020, .022, -.006), (1.8170, .060, .068, -.004), (1.8130, .098, .108, -.002),
                    (1.8040, .1170, .1260, .000), (1.7960, .1225, .1310, .000), (1.7900, .1215, .1300, .000),
