@@ -1,8 +1,7 @@
 #include "render/lamp_lists.h"
 
 #include "base/random.h"
-#include "render/lamp.h"
-#include "render/sampler.h"
+#include "world/clear_parts.h"
 #include "world/layers.h"
 
 #include "raycore/query.h"
@@ -10,45 +9,45 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <memory>
 
 namespace gh::render {
 
 namespace {
 
 constexpr float kFaintest = 1e-4f;  // W/m2: a lamp that can not give more is not looked for
-constexpr int kMostCrossings = 8;
 
-bool lets_light_by(const world::Level& level, const rc::Hit& hit) {
-    const world::Part& part = level.parts[hit.instance];
-    if (part.mover != world::Mover::None) return true;
-    const world::Mesh& mesh = level.meshes[part.mesh];
-    const world::Material& material = level.materials[mesh.materials[hit.primitive]];
-    return material.transmission > 0.0f || material.alpha_mode != world::AlphaMode::Opaque;
-}
+struct Search {
+    const world::Level& level;
+    const rc::Scene& walls;
+    const std::vector<BulbClearance>& bulbs;
+    const Grid& grid;
+    int rays;
+};
 
-bool sees(const world::Level& level, const rc::Scene& scene, const world::Lamp& lamp, std::uint32_t lamp_part,
-          rc::Ray ray) {
-    for (int i = 0; i < kMostCrossings; ++i) {
-        const auto hit = rc::closest_hit(scene, ray, world::Light);
-        if (!hit || hit->instance == lamp_part) return true;
-        if (!lets_light_by(level, *hit)) return false;
-        const rc::SurfacePoint point = scene.surface(*hit);
-        ray = lamp.shape == world::LampShape::Sun
-                  ? rc::spawn_ray(point, ray.direction)
-                  : rc::spawn_ray_to(point, ray.origin + ray.direction * ray.t_max);
+// What stays where it is and lets no light through.
+std::shared_ptr<const rc::Scene> lasting_walls(const world::Level& level, const rc::Scene& scene) {
+    rc::SceneBuilder builder;
+    for (std::uint32_t i = 0; i < level.parts.size(); ++i) {
+        const world::Part& part = level.parts[i];
+        const bool stays = part.mover == world::Mover::None && (part.layers & world::Light) != 0;
+        if (stays && !world::has_clear_triangles(level, level.meshes[part.mesh]))
+            builder.add(scene.instance(i));
     }
-    return true;
+    return builder.commit();
 }
 
-// From somewhere in the cell to somewhere on the lamp.
-rc::Ray look(const Grid& grid, const glm::ivec3& cell, const world::Lamp& lamp, Random& random) {
+// From somewhere in the cell to somewhere on the lamp, up to its bulb.
+rc::Ray look(const Grid& grid, const glm::ivec3& cell, const world::Lamp& lamp, const BulbClearance& bulb,
+             Random& random) {
     const glm::vec3 inside(random.unit(), random.unit(), random.unit());
     const glm::vec3 from = grid.origin + grid.spacing * (glm::vec3(cell) + inside);
     if (lamp.shape == world::LampShape::Sun) return {.origin = from, .direction = -lamp.direction};
     const glm::vec2 u(random.unit(), random.unit());
-    const glm::vec3 to = lamp_point(lamp, from, u) - from;
-    return {.origin = from, .direction = to, .t_max = 1.0f};
+    const glm::vec3 way = lamp_point(lamp, from, u) - from;
+    const float length = glm::length(way);
+    const float kept_off = lamp.shape == world::LampShape::Rect ? bulb.front : bulb.radius;
+    return {.origin = from, .direction = way, .t_max = std::max(0.0f, 1.0f - 2.0f * kept_off / length)};
 }
 
 float distance_to_cell(const Grid& grid, const glm::ivec3& cell, const glm::vec3& position) {
@@ -56,20 +55,25 @@ float distance_to_cell(const Grid& grid, const glm::ivec3& cell, const glm::vec3
     return glm::distance(position, glm::clamp(position, low, high));
 }
 
-std::vector<std::uint8_t> cells_that_see(const world::Level& level, const rc::Scene& scene, const Grid& grid,
-                                         std::uint32_t lamp_id, int rays) {
-    const world::Lamp& lamp = level.lamps[lamp_id];
+std::vector<std::uint8_t> cells_that_see(const Search& search, std::uint32_t lamp_id) {
+    const world::Lamp& lamp = search.level.lamps[lamp_id];
+    const Grid& grid = search.grid;
     std::vector<std::uint8_t> is_seen(grid.cell_count(), 0);
+    std::vector<rc::Ray> rays;
+    std::vector<std::uint8_t> is_blocked;
     for (std::size_t c = 0; c < is_seen.size(); ++c) {
         const glm::ivec3 cell = grid.cell_from_index(c);
         const float distance = distance_to_cell(grid, cell, lamp.position);
         if (lamp.shape != world::LampShape::Sun && !(lamp_bound(lamp, distance) > kFaintest)) continue;
         Random random(hash_u32(lamp_id, static_cast<std::uint32_t>(c)));
-        for (int i = 0; i < rays && is_seen[c] == 0; ++i) {
-            const rc::Ray ray = look(grid, cell, lamp, random);
-            if (glm::dot(ray.direction, ray.direction) > 0.0f)
-                is_seen[c] = sees(level, scene, lamp, lamp.part, ray);
+        rays.clear();
+        for (int i = 0; i < search.rays; ++i) {
+            const rc::Ray ray = look(grid, cell, lamp, search.bulbs[lamp_id], random);
+            if (glm::dot(ray.direction, ray.direction) > 0.0f) rays.push_back(ray);
         }
+        is_blocked.resize(rays.size());
+        rc::any_hits(search.walls, rays, rc::kAllLayers, is_blocked);
+        is_seen[c] = std::find(is_blocked.begin(), is_blocked.end(), 0) != is_blocked.end() ? 1 : 0;
     }
     return is_seen;
 }
@@ -96,12 +100,14 @@ std::span<const std::uint32_t> LampLists::at(const glm::vec3& position) const {
     return std::span(lamps).subspan(begin[cell], begin[cell + 1] - begin[cell]);
 }
 
-LampLists find_lamp_lists(const world::Level& level, const world::Snapshot& snapshot, const Grid& grid,
-                          int rays_per_pair, const Jobs& jobs) {
+LampLists find_lamp_lists(const world::Level& level, const world::Snapshot& snapshot,
+                          const std::vector<BulbClearance>& bulbs, const Grid& grid, int rays_per_pair,
+                          const Jobs& jobs) {
+    const std::shared_ptr<const rc::Scene> walls = lasting_walls(level, *snapshot.scene);
+    const Search search{level, *walls, bulbs, grid, rays_per_pair};
     std::vector<std::vector<std::uint8_t>> is_seen(level.lamps.size());
     jobs.run(is_seen.size(), [&](std::size_t lamp, int) {
-        is_seen[lamp] = widened(grid, cells_that_see(level, *snapshot.scene, grid,
-                                                     static_cast<std::uint32_t>(lamp), rays_per_pair));
+        is_seen[lamp] = widened(grid, cells_that_see(search, static_cast<std::uint32_t>(lamp)));
     });
     LampLists lists{.grid = grid, .begin = {0}, .lamps = {}};
     lists.begin.reserve(grid.cell_count() + 1);

@@ -8,6 +8,7 @@
 
 #include "base/jobs.h"
 #include "render/grid.h"
+#include "render/lamp.h"
 #include "world/level.h"
 #include "world/snapshot.h"
 
@@ -27,6 +28,7 @@ struct LampLists {
 
 // `rays_per_pair`: looks from a cell to a lamp before it counts as hidden.
 [[nodiscard]] LampLists find_lamp_lists(const world::Level& level, const world::Snapshot& snapshot,
-                                        const Grid& grid, int rays_per_pair, const Jobs& jobs);
+                                        const std::vector<BulbClearance>& bulbs, const Grid& grid,
+                                        int rays_per_pair, const Jobs& jobs);
 
 }  // namespace gh::render

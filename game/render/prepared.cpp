@@ -72,7 +72,7 @@ Prepared prepare(const world::Level& level, const world::Snapshot& rest, const J
     for (const world::Lamp& lamp : level.lamps) prepared.bulbs.push_back(bulb_clearance(level, rest, lamp));
 
     const Grid grid = make_grid(level.bounds, settings.spacing, settings.max_cells);
-    prepared.lamp_lists = find_lamp_lists(level, rest, grid, settings.lamp_list_rays, jobs);
+    prepared.lamp_lists = find_lamp_lists(level, rest, prepared.bulbs, grid, settings.lamp_list_rays, jobs);
     if (settings.bakes_ambient) {
         const BakeSettings bake{.rays = settings.rays, .bounces = settings.bounces};
         prepared.ambient = bake_ambient({level, rest, prepared}, grid, bake, jobs);

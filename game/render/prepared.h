@@ -22,11 +22,11 @@ namespace gh::render {
 
 struct PrepareSettings {
     bool bakes_ambient = true;
-    float spacing = 1.25f;  // metres between points of light
+    float spacing = 1.5f;  // metres between points of light
     std::size_t max_cells = 12'000;
-    int rays = 96;    // from each point
+    int rays = 64;    // from each point
     int bounces = 3;  // off walls; 1: light that was reflected once
-    int lamp_list_rays = 24;
+    int lamp_list_rays = 8;
 };
 
 // What a part is to light.
