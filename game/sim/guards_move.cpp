@@ -56,6 +56,8 @@ glm::vec3 way_ahead(GuardState& guard) {
 // The yaw the guard's attention asks for when its feet do not.
 std::optional<float> attention_yaw(const GuardWorld& world, const world::State& state, std::size_t g) {
     const GuardState& guard = state.guards[g];
+    // Who is seen in a mirror is looked at in the mirror.
+    if (guard.alert == Alert::Suspicious && guard.raised_by == world::Cue::Mirrored) return std::nullopt;
     const bool is_after_somebody = guard.alert == Alert::Suspicious || guard.alert == Alert::Chasing ||
                                    state.rules.outcome == world::Outcome::Caught;
     if (is_after_somebody) {
