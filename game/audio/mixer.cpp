@@ -1,9 +1,11 @@
 #include "audio/mixer.h"
 
 #include "audio/al_device.h"
+#include "audio/hall.h"
 #include "audio/voice_choice.h"
 #include "base/contracts.h"
 
+#include <AL/efx.h>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -40,6 +42,7 @@ struct Mixer::Engine {
     std::array<Slot, kSlots> slots;
     std::vector<std::uint32_t> ended;  // keys whose sound is over but which are still named
     std::vector<Heard> chosen;
+    ALuint hall = 0;  // effect slot; 0: dry
     float volume = 1.0f;
     bool is_paused = false;
 
@@ -151,10 +154,13 @@ void Mixer::Engine::start(const Heard& heard, const Ear& ear) {
     slot.fade_ticks = heard.loop ? kFadeTicks : 1;
     slot.fade = 1;
     const std::array<ALuint, world::kBands>& bands = buffers[flat_index(heard.sound)];
+    const bool is_placed = heard.position != ear.position;  // the room's own tone does not ring in the room
     for (std::size_t b = 0; b < bands.size(); ++b) {
         alSourcei(slot.sources[b], AL_BUFFER, static_cast<ALint>(bands[b]));
         alSourcei(slot.sources[b], AL_LOOPING, heard.loop ? AL_TRUE : AL_FALSE);
         alSourcef(slot.sources[b], AL_ROLLOFF_FACTOR, 0.0f);
+        alSource3i(slot.sources[b], AL_AUXILIARY_SEND_FILTER,
+                   is_placed ? static_cast<ALint>(hall) : AL_EFFECTSLOT_NULL, 0, AL_FILTER_NULL);
     }
     aim(slot, heard, ear);
     apply_gains(slot);
@@ -171,6 +177,7 @@ Result<Mixer> Mixer::open_device(const SoundBank& bank) {
     if (!device) return device.error();
     auto engine = std::make_unique<Engine>(std::move(*device));
     engine->fill(bank);
+    engine->hall = make_hall();
     return Mixer(std::move(engine));
 }
 
@@ -179,6 +186,7 @@ Result<Mixer> Mixer::open_loopback(const SoundBank& bank, bool hrtf) {
     if (!device) return device.error();
     auto engine = std::make_unique<Engine>(std::move(*device));
     engine->fill(bank);
+    if (hrtf) engine->hall = make_hall();
     return Mixer(std::move(engine));
 }
 

@@ -1,4 +1,4 @@
-// audio/mixer.h - what the player hears, mixed by OpenAL Soft with HRTF.
+// audio/mixer.h - what the player hears, mixed by OpenAL Soft with HRTF, in one reverberant hall.
 //
 //   Result<SoundBank> bank = SoundBank::load(assets / "sounds");
 //   Result<Mixer> mixer = Mixer::open_device(*bank);   // no device: a sentence; go on without a mixer
@@ -11,7 +11,7 @@
 // Voices    the same key tick after tick is the same voice. A voice that is not named any more fades when it
 //           loops, and otherwise rings out as it last was. A key whose sound has ended stays silent until it
 //           has not been named for a tick. More keys than kMaxVoices: the loudest have it, lower keys first.
-// Cost      about 10 % of a core for a full house, on OpenAL's own thread (device) or in render (loopback).
+// Cost      6 to 8 % of a core with all voices, on OpenAL's own thread (device) or in render (loopback).
 // Threads   one at a time per Mixer; the bank must outlive nothing: its samples are copied into OpenAL.
 // Same bits a loopback given the same ticks renders the same samples on the same machine.
 // Bad input a NaN in a position or gain silences that voice for the tick.
@@ -55,7 +55,8 @@ class Mixer {
   public:
     // The system's own device, with HRTF where it can. Its absence is a sentence to show; the game goes on.
     [[nodiscard]] static Result<Mixer> open_device(const SoundBank& bank);
-    // No device at all: the caller takes the samples. HRTF on, or plain stereo panning for measurements.
+    // No device at all: the caller takes the samples. HRTF and the hall, or plain dry stereo for
+    // measurements.
     [[nodiscard]] static Result<Mixer> open_loopback(const SoundBank& bank, bool hrtf = true);
 
     Mixer(Mixer&&) noexcept;
