@@ -15,9 +15,10 @@ bool comes_first(const CastHit& a, const CastHit& b) {
     return std::tie(a.t, a.instance, a.primitive) < std::tie(b.t, b.instance, b.primitive);
 }
 
-// What is met later than the float after t can not tie with t. For t >= 0.
-float next_up(float t) {
-    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(t) + 1);
+// What is met later than the float after t can not come first any more.
+double latest_tie(const CastHit& best) {
+    if (best.instance == kNone) return static_cast<double>(kInfinity);
+    return static_cast<double>(std::bit_cast<float>(std::bit_cast<std::uint32_t>(best.t) + 1));
 }
 
 // A hit of instance kNone when there is none.
@@ -25,23 +26,29 @@ CastHit first_hit(const Scene& scene, const Segment& axis, float radius, const g
                   LayerMask layers) {
     const std::optional<cast::PlacedBody> placed = cast::place(axis, radius, displacement);
     RC_EXPECTS(placed, "a body of finite place, way and size to cast");
-    CastHit best{.t = kInfinity};
     if (!placed) return {};
 
-    Box box = placed->swept_box(1.0);
-    visit_triangles(
-        scene, box, layers,
-        [&](std::uint32_t instance, std::uint32_t primitive, const std::array<glm::vec3, 3>& corners) {
-            const std::optional<cast::Contact> contact =
-                cast::first_contact(placed->body, placed->relative(corners));
-            if (!contact) return false;
-            const CastHit hit = placed->hit(*contact, instance, primitive);
-            if (!comes_first(hit, best)) return false;
-            best = hit;
-            // Up to the next float: what is met later than that can not tie with this.
-            box = placed->swept_box(static_cast<double>(next_up(hit.t)));
-            return true;
-        });
+    CastHit best{.t = kInfinity};
+    const int pieces = placed->pieces();
+    for (int piece = 0; piece < pieces; ++piece) {
+        const double from = static_cast<double>(piece) / pieces;
+        double to = static_cast<double>(piece + 1) / pieces;
+        if (latest_tie(best) < from) break;
+        Box box = placed->swept_box(from, to);
+        visit_triangles(
+            scene, box, layers,
+            [&](std::uint32_t instance, std::uint32_t primitive, const std::array<glm::vec3, 3>& corners) {
+                const auto contact = cast::first_contact(placed->body, placed->relative(corners));
+                if (!contact) return false;
+                const CastHit hit = placed->hit(*contact, instance, primitive);
+                if (!comes_first(hit, best)) return false;
+                best = hit;
+                if (latest_tie(best) >= to) return false;
+                to = latest_tie(best);
+                box = placed->swept_box(from, to);
+                return true;
+            });
+    }
     return best.instance == kNone ? CastHit{} : best;
 }
 

@@ -45,13 +45,11 @@ Corners PlacedBody::relative(const std::array<glm::vec3, 3>& corners) const {
             glm::dvec3(corners[2]) - origin};
 }
 
-Box PlacedBody::swept_box(double t) const {
-    const glm::dvec3 way = t * body.displacement;
-    const glm::dvec3 zero(0.0);
-    const glm::dvec3 low =
-        origin + glm::min(zero, body.axis) + glm::min(zero, way) - (body.radius + body.touch);
-    const glm::dvec3 high =
-        origin + glm::max(zero, body.axis) + glm::max(zero, way) + (body.radius + body.touch);
+Box PlacedBody::swept_box(double from, double to) const {
+    const glm::dvec3 zero(0.0), start = from * body.displacement, end = to * body.displacement;
+    const double reach = body.radius + body.touch;
+    const glm::dvec3 low = origin + glm::min(zero, body.axis) + glm::min(start, end) - reach;
+    const glm::dvec3 high = origin + glm::max(zero, body.axis) + glm::max(start, end) + reach;
     Box box;
     for (glm::length_t a = 0; a < 3; ++a) {
         // One part in 2^22 outwards is more than the conversion can round inwards.
@@ -59,6 +57,14 @@ Box PlacedBody::swept_box(double t) const {
         box.max[a] = static_cast<float>(high[a] + std::abs(high[a]) * 0x1p-22);
     }
     return box;
+}
+
+int PlacedBody::pieces() const {
+    constexpr double kSizesPerPiece = 4.0;  // measured: shorter pieces visit the trees too often
+    constexpr int kMost = 64;
+    const double size = kSizesPerPiece * (2.0 * body.radius + largest(body.axis));
+    const double length = largest(body.displacement);
+    return length < size * kMost ? static_cast<int>(length / size) + 1 : kMost;
 }
 
 CastHit PlacedBody::hit(const Contact& contact, std::uint32_t instance, std::uint32_t primitive) const {

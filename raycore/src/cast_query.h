@@ -19,8 +19,10 @@ struct PlacedBody {
 
     // The corners of a triangle of the world, seen from the body.
     [[nodiscard]] Corners relative(const std::array<glm::vec3, 3>& corners) const;
-    // A box that holds the body and, a little beyond rounding, all it sweeps through until `t`.
-    [[nodiscard]] Box swept_box(double t) const;
+    // A box that holds, a little beyond rounding, all that the body sweeps through between two times.
+    [[nodiscard]] Box swept_box(double from, double to) const;
+    // In how many pieces to sweep: the box of a long way aslant holds much that is nowhere near.
+    [[nodiscard]] int pieces() const;
     // The contact in the world's frame. t is rounded down: a body moved by it is never beyond the contact.
     [[nodiscard]] CastHit hit(const Contact& contact, std::uint32_t instance, std::uint32_t primitive) const;
 };

@@ -42,7 +42,7 @@ std::size_t capsule_overlaps(const Scene& scene, const Segment& axis, float radi
     if (!placed) return 0;
     std::size_t count = 0;
     visit_triangles(
-        scene, placed->swept_box(0.0), layers,
+        scene, placed->swept_box(0.0, 0.0), layers,
         [&](std::uint32_t instance, std::uint32_t primitive, const std::array<glm::vec3, 3>& corners) {
             const std::optional<cast::Contact> contact =
                 cast::resting_contact(placed->body, placed->relative(corners));
