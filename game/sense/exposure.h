@@ -16,8 +16,9 @@
 
 namespace gh::sense {
 
-inline constexpr float kDarkIrradiance = 0.004f;  // W/m2: a dark corner by moonlight
-inline constexpr float kBrightIrradiance = 1.0f;  // W/m2: in a lamp's pool
+// In W/m2, from the Museum of Light: lamps' pools have 1 to 4, rooms 0.3 to 1, moonlit floors about 0.1.
+inline constexpr float kDarkIrradiance = 0.02f;
+inline constexpr float kBrightIrradiance = 4.0f;
 
 struct Exposure {
     std::array<glm::vec3, kBodyPoints> irradiance;  // W/m2 per colour at each point

@@ -32,12 +32,12 @@ void bench_frames(const std::shared_ptr<const world::Level>& level, int threads,
 
     for (const auto& [width, height] : {std::pair(640, 360), std::pair(1280, 720)}) {
         const std::string size = std::to_string(width) + "x" + std::to_string(height);
-        print_head(("a Whitted frame, " + size).c_str());
+        print_head(("a Whitted frame, wall time, " + size).c_str());
         const std::size_t count = std::min(kCameras, level->viewpoints.size());
         for (std::size_t i = 0; i < count; ++i) {
             const world::Viewpoint& viewpoint = level->viewpoints[i * level->viewpoints.size() / count];
             render::Film film(width, height);
-            const Samples samples = measure(rounds, 1, [&](int) {
+            const Samples samples = measure(clock_ms, rounds, 1, [&](int) {
                 render::render_whitted({*level, now, prepared}, render::camera_from(viewpoint), {}, 0, jobs,
                                        film);
             });

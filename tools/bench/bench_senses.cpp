@@ -27,9 +27,9 @@ std::vector<glm::vec3> places_of(const world::Level& level) {
 }
 
 void bench_stage(const std::shared_ptr<const world::Level>& level, int rounds) {
-    print_head("spatial, one thread");
+    print_head("spatial, core time");
     std::optional<spatial::Stage> stage;
-    print_row("Stage: every tree of the level", measure(3, 1, [&](int) { stage.emplace(level); }));
+    print_row("Stage: every tree of the level", measure(cpu_ms, 3, 1, [&](int) { stage.emplace(level); }));
     world::State state = world::initial_state(*level, 1);
     const auto walk = [&](int tick) {
         for (world::GuardState& guard : state.guards) {
@@ -37,12 +37,12 @@ void bench_stage(const std::shared_ptr<const world::Level>& level, int rounds) {
             guard.clip_time = 0.016f * static_cast<float>(tick);
         }
     };
-    print_row("commit, every guard walking", measure(rounds * 10, 1, [&](int tick) {
+    print_row("commit, every guard walking", measure(cpu_ms, rounds * 10, 1, [&](int tick) {
                   walk(tick);
                   (void)stage->commit(state);
               }));
     print_row("commit, nobody bends (transforms and TLAS)",
-              measure(rounds * 10, 1, [&](int) { (void)stage->commit(state); }));
+              measure(cpu_ms, rounds * 10, 1, [&](int) { (void)stage->commit(state); }));
     if (level->models.empty()) return;
     const world::Model& model = level->models[0];
     const auto wardrobe = std::make_shared<spatial::Wardrobe>(model, level->meshes[model.mesh]);
@@ -50,7 +50,7 @@ void bench_stage(const std::shared_ptr<const world::Level>& level, int rounds) {
     const auto pose = [&](int tick) {
         wardrobe->pose({.clip_time = 0.016f * static_cast<float>(tick), .clip = world::ClipId::Walk}, *body);
     };
-    print_row("one guard: pose, skin, refit", measure(rounds * 10, 1, pose));
+    print_row("one guard: pose, skin, refit", measure(cpu_ms, rounds * 10, 1, pose));
     std::printf("  (%zu vertices, %zu triangles, refit costs %.2f of a build in the last pose)\n",
                 level->meshes[model.mesh].positions.size(), level->meshes[model.mesh].triangles.size(),
                 static_cast<double>(body->blas->refit_degradation()));
@@ -60,7 +60,7 @@ void bench_light(const world::Level& level, const world::Snapshot& now,
                  std::span<const sense::BodyPoints> bodies, int rounds) {
     Hasher hash;
     float least = 1.0f, most = 0.0f;
-    const Samples samples = measure(rounds, bodies.size(), [&](int round) {
+    const Samples samples = measure(cpu_ms, rounds, bodies.size(), [&](int round) {
         for (const sense::BodyPoints& body : bodies) {
             const sense::Exposure exposure = sense::exposure(level, now, body);
             if (round != 0) continue;
@@ -86,7 +86,7 @@ void bench_eyes(const world::Snapshot& now, std::span<const glm::vec3> places,
     std::vector<sense::Sighting> seen(eyes.size());
     for (const bool in_mirrors : {false, true}) {
         Hasher hash;
-        const Samples samples = measure(rounds, bodies.size() * eyes.size(), [&](int round) {
+        const Samples samples = measure(cpu_ms, rounds, bodies.size() * eyes.size(), [&](int round) {
             for (const sense::BodyPoints& point : bodies) {
                 sense::Body body{.point = point};
                 body.lit.fill(1.0f);
@@ -108,7 +108,7 @@ void bench_ears(const world::Level& level, const world::Snapshot& now, std::span
                 int rounds) {
     Hasher hash;
     const glm::vec3 ear_height(0.0f, 1.65f, 0.0f), foot_height(0.0f, 0.05f, 0.0f);
-    const Samples samples = measure(rounds, places.size() * places.size(), [&](int round) {
+    const Samples samples = measure(cpu_ms, rounds, places.size() * places.size(), [&](int round) {
         for (const glm::vec3& from : places) {
             for (const glm::vec3& to : places) {
                 const sense::Transmission heard =
@@ -133,7 +133,7 @@ void bench_stage_and_senses(const std::shared_ptr<const world::Level>& level, in
         player.position = place;
         bodies.push_back(sense::body_points(player));
     }
-    print_head("sense, one thread, a call");
+    print_head("sense, core time of a call");
     bench_light(*level, now, bodies, rounds);
     bench_eyes(now, places, bodies, rounds);
     bench_ears(*level, now, places, rounds);

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
@@ -28,13 +29,14 @@ struct Samples {
     }
 };
 
-// Times `work` `rounds` times; each sample is divided by `calls`, the number of calls that one `work` makes.
-inline Samples measure(int rounds, std::size_t calls, const std::function<void(int round)>& work) {
+// Times `work` `rounds` times with `clock`; a sample is divided by `calls`, the number of calls one `work` makes.
+inline Samples measure(double (*clock)(), int rounds, std::size_t calls,
+                       const std::function<void(int round)>& work) {
     Samples samples;
     for (int round = 0; round < rounds; ++round) {
-        const double start = clock_ms();
+        const double start = clock();
         work(round);
-        samples.ms.push_back((clock_ms() - start) / static_cast<double>(calls));
+        samples.ms.push_back((clock() - start) / static_cast<double>(calls));
     }
     return samples;
 }
