@@ -2,6 +2,11 @@
 
 #include "base/random.h"
 
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
 namespace gh::audio {
 
 namespace {
@@ -36,9 +41,8 @@ std::optional<Sound> spoken(world::Bark bark) {
     return std::nullopt;
 }
 
-std::optional<Sound> family_of(const world::Noise& noise) {
+std::optional<Sound> family_of(const world::Noise& noise, bool is_lid) {
     const auto surface = static_cast<world::Surface>(noise.surface);
-    const bool is_glass = surface == world::Surface::Glass || surface == world::Surface::Pane;
     switch (noise.kind) {
         case world::NoiseKind::Footstep:
             return on_ground(Sound::StepMarble, ground_of(surface));
@@ -51,9 +55,9 @@ std::optional<Sound> family_of(const world::Noise& noise) {
         case world::NoiseKind::Throw:
             return Sound::Throw;
         case world::NoiseKind::DoorOpen:
-            return is_glass ? Sound::VitrineOpen : Sound::DoorOpen;
+            return is_lid ? Sound::VitrineOpen : Sound::DoorOpen;
         case world::NoiseKind::DoorClose:
-            return is_glass ? Sound::VitrineClose : Sound::DoorClose;
+            return is_lid ? Sound::VitrineClose : Sound::DoorClose;
         case world::NoiseKind::Switch:
             return Sound::Switch;
         case world::NoiseKind::MirrorTurn:
@@ -97,10 +101,24 @@ SoundId variant_of(Sound sound, std::uint32_t tick, std::uint32_t salt) {
             static_cast<std::uint8_t>(hash_u32(tick, salt, static_cast<std::uint32_t>(sound)) % variants)};
 }
 
-std::optional<SoundId> sound_of(const world::Noise& noise, std::uint32_t tick, std::uint32_t index) {
-    const std::optional<Sound> family = family_of(noise);
+std::optional<SoundId> sound_of(const world::Noise& noise, std::uint32_t tick, std::uint32_t index,
+                                bool is_lid) {
+    const std::optional<Sound> family = family_of(noise, is_lid);
     if (!family) return std::nullopt;
     return variant_of(*family, tick, index);
+}
+
+bool is_lid_at(const world::Level& level, const glm::vec3& position) {
+    float nearest = rc::kInfinity;
+    bool is_lid = false;
+    for (const world::Door& door : level.doors) {
+        const float metres =
+            std::min(glm::distance(door.handle, position), glm::distance(door.hinge, position));
+        if (!(metres < nearest)) continue;
+        nearest = metres;
+        is_lid = std::abs((door.world_from_rest * door.axis).y) < 0.7f;
+    }
+    return is_lid;
 }
 
 }  // namespace gh::audio

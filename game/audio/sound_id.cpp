@@ -12,15 +12,15 @@ namespace {
 // 3 m/s, a spoken bark: a quieter noise of the same kind plays the same file more softly.
 constexpr std::array<SoundTraits, kSoundCount> kTraits = {{
     {"step_marble", 4, false, 50.0f},   {"step_parquet", 4, false, 49.0f}, {"step_carpet", 4, false, 34.0f},
-    {"step_metal", 4, false, 57.0f},    {"step_glass", 4, false, 54.0f},   {"boot_marble", 4, false, 52.0f},
-    {"boot_parquet", 4, false, 51.0f},  {"boot_carpet", 4, false, 36.0f},  {"boot_metal", 4, false, 59.0f},
-    {"boot_glass", 4, false, 56.0f},    {"stone_marble", 3, false, 72.0f}, {"stone_parquet", 3, false, 67.0f},
+    {"step_metal", 4, false, 57.0f},    {"step_glass", 4, false, 54.0f},   {"boot_marble", 4, false, 50.0f},
+    {"boot_parquet", 4, false, 49.0f},  {"boot_carpet", 4, false, 34.0f},  {"boot_metal", 4, false, 57.0f},
+    {"boot_glass", 4, false, 54.0f},    {"stone_marble", 3, false, 72.0f}, {"stone_parquet", 3, false, 67.0f},
     {"stone_carpet", 2, false, 42.0f},  {"stone_metal", 3, false, 78.0f},  {"stone_glass", 3, false, 76.0f},
-    {"land", 2, false, 60.0f},          {"throw", 2, false, 40.0f},        {"door_open", 2, false, 52.0f},
+    {"land", 2, false, 60.0f},          {"throw", 2, false, 26.0f},        {"door_open", 2, false, 52.0f},
     {"door_close", 2, false, 56.0f},    {"vitrine_open", 1, false, 44.0f}, {"vitrine_close", 1, false, 46.0f},
-    {"switch", 2, false, 42.0f},        {"mirror_turn", 2, false, 50.0f},  {"lens_taken", 1, false, 40.0f},
-    {"voice_hm", 3, false, 60.0f},      {"voice_who", 2, false, 66.0f},    {"voice_alarm", 2, false, 78.0f},
-    {"voice_gave_up", 2, false, 58.0f}, {"voice_caught", 2, false, 70.0f}, {"voice_whistle", 2, false, 56.0f},
+    {"switch", 2, false, 42.0f},        {"mirror_turn", 2, false, 44.0f},  {"lens_taken", 1, false, 38.0f},
+    {"voice_hm", 3, false, 66.0f},      {"voice_who", 2, false, 66.0f},    {"voice_alarm", 2, false, 78.0f},
+    {"voice_gave_up", 2, false, 66.0f}, {"voice_caught", 2, false, 66.0f}, {"voice_whistle", 2, false, 56.0f},
     {"lamp_hum", 1, true, 30.0f},       {"room_tone", 1, true, 22.0f},     {"sting_caught", 1, false, 60.0f},
     {"sting_won", 1, false, 60.0f},
 }};

@@ -50,7 +50,7 @@ std::span<const Source> Soundscape::sources(const world::Level& level, const wor
     }
     last_tick_ = state.tick;
     std::erase_if(ringing_, [&](const Ringing& r) { return r.ends_tick <= state.tick; });
-    add_noises(state);
+    add_noises(level, state);
     add_rules(state);
     add_whistles(level, state);
 
@@ -71,10 +71,13 @@ void Soundscape::ring(const Source& source, std::uint32_t tick, std::uint8_t gua
     ringing_.push_back({source, tick + lengths_[flat_index(source.sound)], guard});
 }
 
-void Soundscape::add_noises(const world::State& state) {
+void Soundscape::add_noises(const world::Level& level, const world::State& state) {
     for (std::uint32_t i = 0; i < state.noise_count; ++i) {
         const world::Noise& noise = state.noises[i];
-        const std::optional<SoundId> sound = sound_of(noise, state.tick, i);
+        const bool is_door =
+            noise.kind == world::NoiseKind::DoorOpen || noise.kind == world::NoiseKind::DoorClose;
+        const bool is_lid = is_door && is_lid_at(level, noise.position);
+        const std::optional<SoundId> sound = sound_of(noise, state.tick, i, is_lid);
         if (!sound) continue;
         const std::uint32_t key =
             (state.tick * static_cast<std::uint32_t>(world::kMaxNoises) + i) & (kHumKeys - 1);

@@ -57,7 +57,7 @@ class Soundscape {
         std::uint8_t follows_guard = 0xFF;  // voices and steps stay with the guard who made them
     };
 
-    void add_noises(const world::State& state);
+    void add_noises(const world::Level& level, const world::State& state);
     void add_rules(const world::State& state);
     void add_whistles(const world::Level& level, const world::State& state);
     void ring(const Source& source, std::uint32_t tick, std::uint8_t guard);

@@ -114,6 +114,23 @@ TEST_F(SoundscapeTest, FloorsSoundAsWhatTheyAre) {
     }
 }
 
+// A vitrine's lid is a door to the game; to the ear it is glass on a small hinge.
+TEST_F(SoundscapeTest, AVitrinesLidIsNoOakDoor) {
+    level_.doors.resize(2);
+    level_.doors[0].handle = level_.doors[0].hinge = {1.0f, 1.0f, 0.0f};
+    level_.doors[1].handle = level_.doors[1].hinge = {6.0f, 1.0f, 0.0f};
+    level_.doors[1].axis = {1.0f, 0.0f, 0.0f};
+    for (const bool opens : {true, false}) {
+        emit(opens ? world::NoiseKind::DoorOpen : world::NoiseKind::DoorClose, world::Surface::Oak);
+        emit(opens ? world::NoiseKind::DoorOpen : world::NoiseKind::DoorClose, world::Surface::Oak);
+        state_.noises[0].position = {1.2f, 1.0f, 0.3f};
+        state_.noises[1].position = {5.8f, 1.3f, 0.0f};
+        const std::vector<Source> sources = next();
+        EXPECT_EQ(count_of(sources, opens ? Sound::DoorOpen : Sound::DoorClose), 1u);
+        EXPECT_EQ(count_of(sources, opens ? Sound::VitrineOpen : Sound::VitrineClose), 1u);
+    }
+}
+
 // The same walk sounds the same in the replay; and no variant is left out or favoured by much.
 TEST_F(SoundscapeTest, VariantsFollowFromTheTickAndComeUpEvenly) {
     std::array<int, 4> counts{};
