@@ -103,14 +103,6 @@ void beams_from_sphere(const world::Lamp& lamp, const Probe& probe, Beams& beams
     }
 }
 
-// All the light along the way to the middle.
-void gather_in_middle(const glm::vec3& middle, Beams& beams) {
-    glm::vec3 sum(0.0f);
-    for (const Beam& beam : beams) sum += beam.light;
-    beams = {};
-    beams[0] = {.target = middle, .light = sum};
-}
-
 // A quarter of the face a beam; its light by 2 x 2 Gauss points, which cost no rays.
 void beams_from_rect(const world::Lamp& lamp, const Probe& probe, Beams& beams) {
     constexpr float kGauss = 0.57735026919f;
@@ -135,12 +127,6 @@ void beams_from_rect(const world::Lamp& lamp, const Probe& probe, Beams& beams) 
     }
 }
 
-// How far a lamp reaches from its middle.
-float reach_of(const world::Lamp& lamp) {
-    return lamp.shape == world::LampShape::Sphere ? lamp.radius
-                                                  : length_of(lamp.half_u) + length_of(lamp.half_v);
-}
-
 Beams beams_to(const world::Lamp& lamp, const rc::Scene& scene, const Probe& probe) {
     Beams beams{};
     if (lamp.shape != world::LampShape::Sun && length_of(lamp.position - probe.position) > lamp.range)
@@ -159,10 +145,6 @@ Beams beams_to(const world::Lamp& lamp, const rc::Scene& scene, const Probe& pro
         case world::LampShape::Rect:
             beams_from_rect(lamp, probe, beams);
             break;
-    }
-    const bool is_area = lamp.shape == world::LampShape::Sphere || lamp.shape == world::LampShape::Rect;
-    if (is_area && reach_of(lamp) < kSmall * length_of(lamp.position - probe.position)) {
-        gather_in_middle(lamp.position, beams);
     }
     return beams;
 }

@@ -2,9 +2,9 @@
 //
 // Units     metres; irradiance in W/m2 per colour.
 // Estimate  point, spot, sun: one ray, exact. Sphere: four rays spread over the disc one sees, exact where all of it is
-//           seen. Rect: one ray a quarter, and the unshadowed integral by 4 x 4 Gauss points. What looks smaller than
-//           kSmall has hardly a penumbra: one ray to its middle. Fixed samples: no noise, hence no flicker, for a
-//           light gem to show.
+//           seen. Rect: one ray a quarter, and the unshadowed integral by 4 x 4 Gauss points. Fixed samples: no noise,
+//           hence no flicker, for a light gem to show. Four rays to bulbs far away as well: a shade beside a bulb hides
+//           part of it from any distance.
 // Glass     takes its share: glass.h.
 // Its bulb  never shadows a lamp: a ray that meets the lamp's own part has arrived.
 // Cost      1 to 4 rays a probe and lamp in range.
@@ -20,9 +20,6 @@
 #include <span>
 
 namespace gh::sense {
-
-// Sine of the apparent radius below which one ray speaks for a lamp: an 8 cm bulb beyond 1.6 m.
-inline constexpr float kSmall = 0.05f;
 
 // Something small to be lit. With a unit normal it is a flat patch facing there; with none (zero) a small
 // ball that turns a side to every lamp, as points of a body do: what it receives is the scalar irradiance.

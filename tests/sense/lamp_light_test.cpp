@@ -127,22 +127,6 @@ TEST(LampLight, AScreenAcrossHalfTheBallTakesHalfItsLight) {
     EXPECT_NEAR(light_on(small.level, probe).r, open / 2.0f, open * 1e-5f);
 }
 
-TEST(LampLight, ABallSeenSmallIsWhollyThereOrWhollyGone) {
-    test::SmallLevel small;
-    const std::uint32_t plaster = small.add_material(world::Surface::Plaster);
-    small.add_lamp(ball_lamp({0.0f, 2.0f, 0.0f}, 0.9f * 2.0f * kSmall));
-    const Probe probe{.position = glm::vec3(0.0f), .normal = kUp};
-    const double sine = 0.9 * static_cast<double>(kSmall);
-    const double open = kPiD * 100.0 * sine * sine;
-    EXPECT_NEAR(static_cast<double>(light_on(small.level, probe).r) / open, 1.0, 1e-5);
-    // A screen with its edge 1 cm past the middle, either way.
-    const std::uint32_t screen =
-        small.add_sheet({0.51f, 1.0f, 0.0f}, {0.5f, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}, plaster);
-    EXPECT_NEAR(static_cast<double>(light_on(small.level, probe).r) / open, 1.0, 1e-5);
-    small.part(screen).mover_from_part = test::moved_by({-0.02f, 0.0f, 0.0f});
-    EXPECT_EQ(light_on(small.level, probe).r, 0.0f);
-}
-
 // L = 1, one metre square, one metre above: E = 0.75227478 in closed form; the 4 x 4 Gauss points err by 3.6e-4 of it,
 // and the error shrinks with the square of the lamp.
 TEST(LampLight, APanelGivesItsFormFactor) {

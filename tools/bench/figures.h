@@ -18,6 +18,13 @@ inline double clock_ms() {
         .count();
 }
 
+// Of all this process's threads: what one-threaded work costs a core, even while others keep the machine busy.
+inline double cpu_ms() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
 struct Samples {
     std::vector<double> ms;
 
