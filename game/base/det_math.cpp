@@ -19,6 +19,10 @@ constexpr double kLog2E = 1.44269504088896340736;
 constexpr double kLog10Of2 = 0.30102999566398119521;
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
+bool is_finite(float x) {
+    return std::abs(x) < std::numeric_limits<float>::infinity();
+}
+
 // An angle as quarter turns, modulo 4, and a rest within pi/4 of zero (rounding aside).
 struct Reduced {
     double rest;
@@ -96,24 +100,13 @@ double cos_near_zero(double r) {
     return 1.0 - 0.5 * z + z * z * sum;
 }
 
-struct SinCosD {
-    double sin;
-    double cos;
-};
+double sin_of(const Reduced& angle) {
+    const double value = angle.quarter % 2 == 0 ? sin_near_zero(angle.rest) : cos_near_zero(angle.rest);
+    return angle.quarter < 2 ? value : -value;
+}
 
-SinCosD sin_cos_of(const Reduced& angle) {
-    const double s = sin_near_zero(angle.rest);
-    const double c = cos_near_zero(angle.rest);
-    switch (angle.quarter) {
-        case 0:
-            return {s, c};
-        case 1:
-            return {c, -s};
-        case 2:
-            return {-s, -c};
-        default:
-            return {-c, s};
-    }
+double cos_of(const Reduced& angle) {
+    return sin_of({angle.rest, (angle.quarter + 1) % 4});
 }
 
 // atan(k/8).
@@ -175,17 +168,26 @@ double log2_of(double x) {
     const double s = (m - 1.0) / (m + 1.0);
     const double z = s * s;
     double sum = 1.0 / 17.0;
-    for (int n = 15; n >= 3; n -= 2) sum = sum * z + 1.0 / static_cast<double>(n);
+    for (const double coefficient :
+         {1.0 / 15.0, 1.0 / 13.0, 1.0 / 11.0, 1.0 / 9.0, 1.0 / 7.0, 1.0 / 5.0, 1.0 / 3.0}) {
+        sum = sum * z + coefficient;
+    }
     return e + (2.0 * kLog2E) * (s + s * z * sum);
 }
+
+// 1/n!
+constexpr std::array<double, 12> kInverseFactorials = {
+    1.0,         1.0,          1.0 / 2.0,     1.0 / 6.0,      1.0 / 24.0,      1.0 / 120.0,
+    1.0 / 720.0, 1.0 / 5040.0, 1.0 / 40320.0, 1.0 / 362880.0, 1.0 / 3628800.0, 1.0 / 39916800.0,
+};
 
 // For any t but NaN; what lies beyond a float's range comes out as 2^+-200, which rounds to infinity or zero.
 double exp2_of(double t) {
     t = t < -200.0 ? -200.0 : (t > 200.0 ? 200.0 : t);
     const double k = std::floor(t + 0.5);
     const double r = (t - k) * kLn2;  // within 0.347 of zero; the first term left out is below 1e-14
-    double sum = 1.0;
-    for (int n = 11; n >= 1; --n) sum = sum * r / static_cast<double>(n) + 1.0;
+    double sum = kInverseFactorials[11];
+    for (std::size_t n = 11; n-- > 0;) sum = sum * r + kInverseFactorials[n];
     const double scale =
         std::bit_cast<double>(static_cast<std::uint64_t>(static_cast<std::int64_t>(k) + 1023) << 52);
     return sum * scale;
@@ -209,7 +211,7 @@ bool is_odd_integer(double x) {
 
 float wrap_angle(float radians) {
     if (std::abs(radians) <= kPi) return radians;
-    if (!(std::abs(radians) < std::numeric_limits<float>::infinity())) return kNaN;
+    if (!is_finite(radians)) return kNaN;
     const Reduced angle = reduce(radians);
     constexpr std::array<double, 4> kQuarters = {0.0, kHalfPiD, kPiD, -kHalfPiD};
     double wrapped = kQuarters[angle.quarter] + angle.rest;
@@ -220,25 +222,26 @@ float wrap_angle(float radians) {
 namespace det {
 
 SinCos sin_cos(float radians) {
-    if (!(std::abs(radians) < std::numeric_limits<float>::infinity())) return {kNaN, kNaN};
+    if (!is_finite(radians)) return {kNaN, kNaN};
     if (radians == 0.0f) return {radians, 1.0f};  // keeps -0
-    const SinCosD both = sin_cos_of(reduce(radians));
-    return {static_cast<float>(both.sin), static_cast<float>(both.cos)};
+    const Reduced angle = reduce(radians);
+    return {static_cast<float>(sin_of(angle)), static_cast<float>(cos_of(angle))};
 }
 
 float sin(float radians) {
-    return sin_cos(radians).sin;
+    if (!is_finite(radians)) return kNaN;
+    return radians == 0.0f ? radians : static_cast<float>(sin_of(reduce(radians)));
 }
 
 float cos(float radians) {
-    return sin_cos(radians).cos;
+    return is_finite(radians) ? static_cast<float>(cos_of(reduce(radians))) : kNaN;
 }
 
 float tan(float radians) {
-    if (!(std::abs(radians) < std::numeric_limits<float>::infinity())) return kNaN;
+    if (!is_finite(radians)) return kNaN;
     if (radians == 0.0f) return radians;
-    const SinCosD both = sin_cos_of(reduce(radians));
-    return static_cast<float>(both.sin / both.cos);
+    const Reduced angle = reduce(radians);
+    return static_cast<float>(sin_of(angle) / cos_of(angle));
 }
 
 float asin(float x) {

@@ -17,9 +17,6 @@ namespace {
 XXH64_state_t* as_state(void* storage) {
     return std::launder(static_cast<XXH64_state_t*>(storage));
 }
-const XXH64_state_t* as_state(const void* storage) {
-    return std::launder(static_cast<const XXH64_state_t*>(storage));
-}
 
 }  // namespace
 
@@ -28,31 +25,9 @@ Hasher::Hasher(std::uint64_t seed) {
     XXH64_reset(state, seed);
 }
 
-void Hasher::add_bytes(const void* data, std::size_t size) {
-    if (size == 0) return;
-    XXH64_update(as_state(state_.data()), data, size);
-}
-
-void Hasher::add(bool value) {
-    add(static_cast<std::uint8_t>(value ? 1 : 0));
-}
-void Hasher::add(std::uint8_t value) {
-    add_bytes(&value, sizeof value);
-}
-void Hasher::add(std::uint16_t value) {
-    add_bytes(&value, sizeof value);
-}
-void Hasher::add(std::uint32_t value) {
-    add_bytes(&value, sizeof value);
-}
-void Hasher::add(std::uint64_t value) {
-    add_bytes(&value, sizeof value);
-}
-void Hasher::add(float value) {
-    add_bytes(&value, sizeof value);
-}
-void Hasher::add(double value) {
-    add_bytes(&value, sizeof value);
+void Hasher::flush() {
+    XXH64_update(as_state(state_.data()), waiting_.data(), waiting_size_);
+    waiting_size_ = 0;
 }
 
 void Hasher::add(const glm::vec2& value) {
@@ -77,16 +52,19 @@ void Hasher::add(const glm::quat& value) {
 }
 
 void Hasher::add(std::span<const std::byte> bytes) {
-    add_bytes(bytes.data(), bytes.size());
+    flush();
+    if (!bytes.empty()) XXH64_update(as_state(state_.data()), bytes.data(), bytes.size());
 }
 
 void Hasher::add(std::string_view text) {
     add(static_cast<std::uint64_t>(text.size()));
-    add_bytes(text.data(), text.size());
+    add(std::as_bytes(std::span(text)));
 }
 
 std::uint64_t Hasher::digest() const {
-    return XXH64_digest(as_state(state_.data()));
+    Hasher finished = *this;
+    finished.flush();
+    return XXH64_digest(as_state(finished.state_.data()));
 }
 
 std::uint64_t hash_bytes(std::span<const std::byte> bytes) {

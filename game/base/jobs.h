@@ -5,7 +5,7 @@
 //           depend on the number of threads. Sums over items are made afterwards, in index order.
 // Threads   run() may be called from inside an item. Nothing outside Jobs needs to know about threads, yet
 //           parallel builders (raycore's) called through run_in obey its number as well.
-// Cost      starting: about 1 us when the threads are awake. An item: one indirect call.
+// Cost      starting: a fraction of a microsecond when the threads are awake. An item: one indirect call.
 #pragma once
 
 #include <cstddef>

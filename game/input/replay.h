@@ -2,7 +2,7 @@
 //
 // Writing   a second of ticks at a time, flushed at once, to FILE.part; finish() gives the file its own name. After a
 //           crash FILE.part holds all but the last second and is read like any other.
-// Cost      append: a copy; once a second about 0.1 ms to compress. 60-90 kB a minute.
+// Cost      append: a copy; once a second about 0.1 ms to compress. About 100 kB a minute, nearly all of it hashes.
 // Threads   a writer belongs to one thread; a Replay that was read is plain data.
 // Bad input any bytes at all: an Error with one sentence, or the ticks before the first damage with is_cut_short set.
 //           Memory is bounded by the file's size and by kMaxReplayTicks. replay_format.h describes the bytes.
