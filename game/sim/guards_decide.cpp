@@ -55,13 +55,18 @@ void patrol(const GuardWorld& world, std::size_t g, GuardState& guard) {
     if (has_no_way(guard) || flat_length(goal - guard.target) > kNewGoal) go_to(world, goal, guard);
 }
 
-// The next place to look into: straight off in a direction that only the seed knows.
+// The next place to look into: of a few directions that only the seed knows, the one that leads furthest.
 glm::vec3 hiding_place(const GuardWorld& world, const world::State& state, std::size_t g) {
-    const GuardState& guard = state.guards[g];
-    const std::uint32_t bits = hash_u32(state.seed, state.tick, static_cast<std::uint32_t>(g));
-    const float yaw = unit_from_bits(bits) * kTwoPi;
-    const float distance = 3.0f + 4.0f * unit_from_bits(bits * 2654435761u);
-    return world.navigation.straight(guard.position, guard.position + world::forward_of_yaw(yaw) * distance);
+    constexpr std::uint32_t kTries = 4;
+    const glm::vec3 from = state.guards[g].position;
+    glm::vec3 furthest = from;
+    for (std::uint32_t i = 0; i < kTries; ++i) {
+        const std::uint32_t bits = hash_u32(state.seed, state.tick, static_cast<std::uint32_t>(g) * kTries + i);
+        const glm::vec3 way = world::forward_of_yaw(unit_from_bits(bits) * kTwoPi) * 7.0f;
+        const glm::vec3 end = world.navigation.straight(from, from + way);
+        if (flat_length(end - from) > flat_length(furthest - from)) furthest = end;
+    }
+    return furthest;
 }
 
 void search(const GuardWorld& world, const world::State& state, std::size_t g, GuardState& guard) {

@@ -152,11 +152,11 @@ TEST(Guards, AStoneDrawsThemToWhereItFellAndTheyGiveUpInTheEnd) {
     test::run(simulation, command(0.4f, 0.1f, 0, Button::Throw), 30);
     ASSERT_TRUE(wait_for_bark(simulation, command(0.4f, 0.1f), world::Bark::WhoIsThere, 120));
     EXPECT_EQ(guard_of(simulation).raised_by, world::Cue::Heard);
-    const glm::vec3 noise = guard_of(simulation).last_known;
-    const int came = test::run_until(simulation, [](const world::State&) { return command(0); },
-                                     [&](const world::State& s) { return flat_distance(s.guards[0].position, noise) < 3.0f; },
-                                     900);
-    EXPECT_GE(came, 0) << "the guard goes to where it sounded";
+    const auto stands_where_it_sounded = [](const world::State& s) {
+        return s.guards[0].wait_ticks > 0 && flat_distance(s.guards[0].position, s.stones[0].position) < 2.5f;
+    };
+    EXPECT_GE(test::run_until(simulation, [](const world::State&) { return command(0); }, stands_where_it_sounded, 1200), 0)
+        << "the guard goes to where the stone was last heard";
     EXPECT_NE(guard_of(simulation).alert, Alert::Chasing) << "a noise alone starts no chase";
     EXPECT_TRUE(wait_for_bark(simulation, command(0), world::Bark::GaveUp, 3600));
     EXPECT_EQ(guard_of(simulation).alert, Alert::Calm);
