@@ -17,7 +17,7 @@ constexpr std::array<float, 5> kWindow = {0.5f, 1.0f, 1.0f, 1.0f,
                                           0.5f};  // both ends are the same place of the pattern
 
 bool is_uniform(const PixelLight& p) {
-    return p.size == 0.0f || p.shadowed == p.unshadowed;
+    return p.size == 0.0f || p.arrived == p.tried;
 }
 
 bool are_together(const PixelLight& a, const PixelLight& b) {
@@ -38,19 +38,24 @@ glm::vec3 shared_light(const std::vector<PixelLight>& pixels, int width, int hei
                       static_cast<std::size_t>(i)];
     };
     const PixelLight& centre = at(x, y);
-    glm::vec3 unshadowed(0.0f), shadowed(0.0f);
+    glm::vec3 tried(0.0f), arrived(0.0f);
     for (int j = std::max(0, y - 2); j <= std::min(height - 1, y + 2); ++j) {
         for (int i = std::max(0, x - 2); i <= std::min(width - 1, x + 2); ++i) {
             const PixelLight& other = at(i, j);
             if (!are_together(centre, other)) continue;
             const float weight =
                 kWindow[static_cast<std::size_t>(i - x + 2)] * kWindow[static_cast<std::size_t>(j - y + 2)];
-            unshadowed += other.unshadowed * weight;
-            shadowed += other.shadowed * weight;
+            tried += other.tried * weight;
+            arrived += other.arrived * weight;
         }
     }
-    return centre.unshadowed * glm::vec3(ratio(shadowed.x, unshadowed.x), ratio(shadowed.y, unshadowed.y),
-                                         ratio(shadowed.z, unshadowed.z));
+    return centre.unshadowed *
+           glm::vec3(ratio(arrived.x, tried.x), ratio(arrived.y, tried.y), ratio(arrived.z, tried.z));
+}
+
+// What this pixel found by itself.
+glm::vec3 own_light(const PixelLight& p) {
+    return p.arrived == p.tried ? p.unshadowed : p.arrived;
 }
 
 }  // namespace
@@ -81,7 +86,8 @@ void develop(const std::vector<PixelLight>& pixels, bool shares, const Jobs& job
             const std::size_t index = out.index(x, y);
             const PixelLight& p = pixels[index];
             const bool averages = shares && !is_plain_here && p.size > 0.0f;
-            out.pixels[index] = p.clean + (averages ? shared_light(pixels, width, height, x, y) : p.shadowed);
+            out.pixels[index] =
+                p.clean + (averages ? shared_light(pixels, width, height, x, y) : own_light(p));
         }
     });
 }

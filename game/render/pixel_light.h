@@ -11,9 +11,12 @@
 namespace gh::render {
 
 struct PixelLight {
-    glm::vec3 clean{0.0f};       // exact for this pixel
-    glm::vec3 unshadowed{0.0f};  // of the main surface, if nothing stood before the area lamps: exact too
-    glm::vec3 shadowed{0.0f};    // the same with what this pixel's few shadow rays found: noisy
+    glm::vec3 clean{0.0f};  // exact for this pixel
+    // Of the main surface: its light if nothing stood before the lamps, exact too; how much of that this pixel's few
+    // shadow rays tried (on average the same); and how much of what they tried arrived.
+    glm::vec3 unshadowed{0.0f};
+    glm::vec3 tried{0.0f};
+    glm::vec3 arrived{0.0f};
     // The main surface, by which pixels know whether they belong together.
     glm::vec3 position{0.0f};
     glm::vec3 normal{0.0f};

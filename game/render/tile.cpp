@@ -45,7 +45,8 @@ void TileTracer::trace(int tile_x, int tile_y, std::vector<PixelLight>& pixels, 
         PixelLight& light = pixels_[static_cast<std::size_t>(i)];
         light.clean *= per_sample;
         light.unshadowed *= per_sample;
-        light.shadowed *= per_sample;
+        light.tried *= per_sample;
+        light.arrived *= per_sample;
         const int x = x_ + i % columns_, y = y_ + i / columns_;
         pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width) +
                static_cast<std::size_t>(x)] = light;
@@ -92,7 +93,7 @@ void TileTracer::trace_shadows(FrameStats& stats) {
     stats.glass_shadow_rays += batch_.looked_through();
     for (std::size_t i = 0; i < shadows_.size(); ++i) {
         PixelLight& light = pixels_[shadows_[i].pixel];
-        (shadows_[i].is_shared ? light.shadowed : light.clean) += shadows_[i].light * shares_[i];
+        (shadows_[i].is_shared ? light.arrived : light.clean) += shadows_[i].light * shares_[i];
     }
     shadow_rays_.clear();
     shadows_.clear();

@@ -16,6 +16,8 @@
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace gh::render {
@@ -56,13 +58,22 @@ class TileTracer {
     [[nodiscard]] bool pass_through_hole(PathRay& path, const ShadingPoint& at, FrameStats& stats);
     void shade_glass(const PathRay& path, const ShadingPoint& at, FrameStats& stats);
     void shade_opaque(const PathRay& path, const ShadingPoint& at, FrameStats& stats);
-    void add_lamps(const PathRay& path, const ShadingPoint& at, const glm::vec3& diffuse, const Gloss& gloss,
-                   float highlight_share);
-    void add_area_shadows(const PathRay& path, const ShadingPoint& at, std::uint32_t lamp_id,
-                          const glm::vec3& light);
-    void add_ambient(const PathRay& path, const ShadingPoint& at, const glm::vec3& diffuse,
-                     const glm::vec3& mirrored);
-    void add_shadow(const PathRay& path, const rc::Ray& ray, const glm::vec3& light, bool is_shared);
+    // Light that reaches a surface unless something is in its way: from a lamp, or, baked, from all around.
+    struct Arrival {
+        glm::vec3 light;
+        std::uint32_t lamp;  // kNoIndex: ambient
+    };
+    void collect_lamps(const PathRay& path, const ShadingPoint& at, const glm::vec3& diffuse,
+                       const Gloss& gloss);
+    void collect_ambient(const PathRay& path, const ShadingPoint& at, const glm::vec3& diffuse,
+                         const glm::vec3& mirrored);
+    void ask_for_shadows(const PathRay& path, const ShadingPoint& at);
+    void ask_one_of(const PathRay& path, const ShadingPoint& at, std::span<const Arrival> faint);
+    void ask(const PathRay& path, const ShadingPoint& at, const Arrival& arrival, int count);
+    void ask_lamp(const PathRay& path, const ShadingPoint& at, const Arrival& arrival, std::uint32_t number);
+    void ask_around(const PathRay& path, const ShadingPoint& at, const glm::vec3& light,
+                    std::uint32_t number);
+    void settle(const PathRay& path, const std::optional<rc::Ray>& ray, const glm::vec3& light);
     void note_surface(const PathRay& path, const ShadingPoint& at);
     [[nodiscard]] PixelLight& pixel(const PathRay& path) { return pixels_[path.pixel]; }
     [[nodiscard]] bool is_shared(const PathRay& path) const {
@@ -77,6 +88,7 @@ class TileTracer {
     std::vector<PathRay> now_, next_;
     std::vector<rc::Ray> rays_;
     std::vector<rc::Hit> hits_;
+    std::vector<Arrival> arrivals_;
     std::vector<rc::Ray> shadow_rays_;
     std::vector<Shadow> shadows_;
     std::vector<glm::vec3> shares_;

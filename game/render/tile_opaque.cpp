@@ -19,8 +19,9 @@ constexpr float kPerPi = 1.0f / kPi;
 // no ray is sent and the ambient light stands in for what is mirrored.
 constexpr float kMirrorBelow = 0.06f, kHighlightAbove = 0.14f;
 constexpr float kRayBelow = 0.3f, kNoRayAbove = 0.5f;
-constexpr float kFaintest = 1e-4f;  // W/m2/sr in the picture: less than that is not worth a shadow ray
-constexpr std::uint32_t kAmbientPurpose = 0xA0u << 16;
+constexpr float kDull = 0.6f,
+                kDullest = 0.8f;    // highlights of rough dielectrics fade into their diffuse light
+constexpr float kFaintest = 4e-4f;  // W/m2/sr in the picture: less than that is not worth a shadow ray
 
 float brightest(const glm::vec3& c) {
     return std::max({c.x, c.y, c.z});
@@ -49,22 +50,6 @@ float terminator(const ShadingPoint& at, const glm::vec3& to_lamp) {
     return g * (1.0f + g - g * g);
 }
 
-// The lamp's own coordinates of its middle, as the eye sees it.
-glm::vec2 middle_of(const world::Lamp& lamp) {
-    return lamp.shape == world::LampShape::Sphere ? glm::vec2(0.0f) : glm::vec2(0.5f);
-}
-
-// Around the normal, more of them where they count more.
-glm::vec3 cosine_direction(const glm::vec3& normal, const glm::vec2& u) {
-    const glm::vec3 any =
-        std::abs(normal.y) < 0.9f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(1.0f, 0.0f, 0.0f);
-    const glm::vec3 side = glm::normalize(glm::cross(any, normal));
-    const glm::vec3 over = glm::cross(normal, side);
-    const auto [sine, cosine] = det::sin_cos(kTwoPi * u.y);
-    const float radius = std::sqrt(u.x);
-    return side * (radius * cosine) + over * (radius * sine) + normal * std::sqrt(1.0f - u.x);
-}
-
 }  // namespace
 
 void TileTracer::shade_opaque(const PathRay& path, const ShadingPoint& at, FrameStats& stats) {
@@ -87,8 +72,12 @@ void TileTracer::shade_opaque(const PathRay& path, const ShadingPoint& at, Frame
     lit.is_leading = path.is_leading && !is_mirror;
     if (lit.is_leading) note_surface(lit, at);
     const float alpha = at.roughness * at.roughness;
-    add_lamps(lit, at, diffuse, {at.normal, to_eye, f0, f90, alpha}, highlight_share);
-    add_ambient(lit, at, diffuse, glossy * (1.0f - ray_share));
+    arrivals_.clear();
+    const float shine =
+        highlight_share * (1.0f - (1.0f - at.metallic) * smooth_step(kDull, kDullest, at.roughness));
+    collect_lamps(lit, at, diffuse, {at.normal, to_eye, f0 * shine, f90 * shine, alpha});
+    collect_ambient(lit, at, diffuse, glossy * (1.0f - ray_share));
+    ask_for_shadows(lit, at);
     if (!(ray_share > 0.0f)) return;
 
     PathRay mirrored = path;
@@ -102,95 +91,36 @@ void TileTracer::shade_opaque(const PathRay& path, const ShadingPoint& at, Frame
     ++stats.reflected_rays;
 }
 
-void TileTracer::add_lamps(const PathRay& path, const ShadingPoint& at, const glm::vec3& diffuse,
-                           const Gloss& gloss, float highlight_share) {
-    const world::Level& level = frame_.view.level;
+void TileTracer::collect_lamps(const PathRay& path, const ShadingPoint& at, const glm::vec3& diffuse,
+                               const Gloss& gloss) {
     const glm::vec3& position = at.surface.position;
     for (const std::uint32_t id : frame_.view.prepared.lamp_lists.at(position)) {
         if (frame_.light.lamp_on[id] == 0) continue;
-        const world::Lamp& lamp = level.lamps[id];
+        const world::Lamp& lamp = frame_.view.level.lamps[id];
         const glm::vec3 to_lamp = direction_to(lamp, position);
         glm::vec3 light = diffuse * lamp_irradiance(lamp, position, at.normal) * kPerPi;
-        if (highlight_share > 0.0f) light += lamp_highlight(lamp, position, gloss) * highlight_share;
+        if (gloss.f90 > 0.0f) light += lamp_highlight(lamp, position, gloss);
         light *= path.weight * terminator(at, to_lamp);
         light *= worth(brightest(light), kFaintest);
-        if (!(brightest(light) > 0.0f)) continue;
-        if (is_area(lamp)) {
-            add_area_shadows(path, at, id, light);
-            continue;
-        }
-        const auto ray = shadow_ray(lamp, frame_.view.prepared.bulbs[id], at.surface, lamp.position);
-        if (ray && glm::dot(ray->direction, at.geometric) <= 0.0f)
-            continue;  // a smooth normal sees it, the surface not
-        if (ray) {
-            add_shadow(path, *ray, light, false);
-        } else {
-            pixel(path).clean += light;
-        }
+        if (brightest(light) > 0.0f) arrivals_.push_back({light, id});
     }
 }
 
-void TileTracer::add_area_shadows(const PathRay& path, const ShadingPoint& at, std::uint32_t lamp_id,
-                                  const glm::vec3& light) {
-    const world::Lamp& lamp = frame_.view.level.lamps[lamp_id];
-    const PixelSampler& sampler = samplers_[path.pixel];
-    const int count = frame_.settings.shadow_samples;
-    const bool is_main = is_shared(path);
-    const glm::vec3 part = light / static_cast<float>(count);
-    for (int i = 0; i < count; ++i) {
-        const auto number = static_cast<std::uint32_t>(sample_ * count + i);
-        // What is seen in a mirror's glimmer is not shared; one look at the middle is better than noise.
-        const glm::vec2 u = path.is_leading || frame_.settings.samples_per_pixel > 1
-                                ? sampler.point(number, lamp_id, path.depth)
-                                : middle_of(lamp);
-        const glm::vec3 target = lamp_point(lamp, at.surface.position, u);
-        if (is_main) pixel(path).unshadowed += part;
-        // What of the lamp is below the horizon is not in `light`; a point there says nothing about the rest.
-        const bool is_below = glm::dot(target - at.surface.position, at.geometric) <= 0.0f;
-        const glm::vec3 aim = is_below ? lamp.position : target;
-        if (is_below && glm::dot(aim - at.surface.position, at.geometric) <= 0.0f) continue;
-        if (const auto ray = shadow_ray(lamp, frame_.view.prepared.bulbs[lamp_id], at.surface, aim)) {
-            add_shadow(path, *ray, part, is_main);
-        } else {
-            (is_main ? pixel(path).shadowed : pixel(path).clean) += part;
-        }
-    }
-}
-
-// Baked light, darkened in corners that are smaller than the grid it was baked on.
-void TileTracer::add_ambient(const PathRay& path, const ShadingPoint& at, const glm::vec3& diffuse,
-                             const glm::vec3& mirrored) {
+// Baked light, which shadow rays darken in corners that are smaller than the grid it was baked on.
+void TileTracer::collect_ambient(const PathRay& path, const ShadingPoint& at, const glm::vec3& diffuse,
+                                 const glm::vec3& mirrored) {
     glm::vec3 irradiance, reflected;
     const glm::vec3 direction =
         path.ray.direction - at.normal * (2.0f * glm::dot(path.ray.direction, at.normal));
     frame_.light.ambient.gather(at.surface.position, at.normal, direction, irradiance, reflected);
     const glm::vec3 light = path.weight * (diffuse * irradiance * kPerPi + mirrored * reflected);
     if (!(brightest(light) > 0.0f)) return;
-    const int count = path.depth == 0 || path.is_leading ? frame_.settings.ambient_samples : 0;
-    if (count == 0) {
+    const bool looks_round = (path.depth == 0 || path.is_leading) && frame_.settings.ambient_samples > 0;
+    if (looks_round) {
+        arrivals_.push_back({light, world::kNoIndex});
+    } else {
         pixel(path).clean += light;
-        return;
     }
-    const glm::vec3& cell = frame_.view.prepared.ambient.grid.spacing;
-    const float reach = 0.6f * std::min({cell.x, cell.y, cell.z});
-    const bool is_main = is_shared(path);
-    const glm::vec3 part = light / static_cast<float>(count);
-    for (int i = 0; i < count; ++i) {
-        const auto number = static_cast<std::uint32_t>(sample_ * count + i);
-        const PixelSampler& sampler = samplers_[path.pixel];
-        glm::vec3 way = cosine_direction(at.normal, sampler.point(number, kAmbientPurpose, path.depth));
-        const float height = glm::dot(way, at.geometric);
-        if (height < 0.01f) way += at.geometric * (0.01f - height);
-        // A reach between nothing and all of it: what is near darkens more.
-        const float share = sampler.point(number, kAmbientPurpose + 1, path.depth).x;
-        if (is_main) pixel(path).unshadowed += part;
-        add_shadow(path, rc::spawn_ray(at.surface, way, reach * share), part, is_main);
-    }
-}
-
-void TileTracer::add_shadow(const PathRay& path, const rc::Ray& ray, const glm::vec3& light, bool is_shared) {
-    shadow_rays_.push_back(ray);
-    shadows_.push_back({light, path.pixel, is_shared});
 }
 
 void TileTracer::note_surface(const PathRay& path, const ShadingPoint& at) {
