@@ -1,8 +1,7 @@
 // base/bytes.h - numbers to little-endian bytes and back, for our own file formats.
 //
-// Bad input  a read beyond the end returns false, leaves its target alone, and the reader stays failed: a run
-// of
-//            reads can be checked once at its end. Nothing is ever allocated for more bytes than are there.
+// Bad input a read beyond the end returns false, leaves its target alone, and the reader stays failed: a run
+//           of reads can be checked once at its end. Nothing is ever allocated for more bytes than are there.
 #pragma once
 
 #include <bit>

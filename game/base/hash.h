@@ -1,8 +1,8 @@
 // base/hash.h - a 64-bit fingerprint of named fields, for state hashes, files and golden answers (XXH64).
 //
 // Same bits the digest is that of the fields' little-endian bytes in the order they were added, on any
-// machine,
-//           however they were cut into calls. Floats count by their bits: -0 is not +0, and a NaN is itself.
+//           machine, however they were cut into calls. Floats count by their bits: -0 is not +0, and a NaN is
+//           itself.
 // Cost      about 1 ns a number, 13 GB/s for spans.
 // Not for   anything an opponent may forge.
 #pragma once

@@ -1,8 +1,7 @@
 // base/jobs.h - many threads on many independent items.
 //
 // Same bits an item writes to its own slot only and reads nothing another item writes; then the result does
-// not
-//           depend on the number of threads. Sums over items are made afterwards, in index order.
+//           not depend on the number of threads. Sums over items are made afterwards, in index order.
 // Threads   run() may be called from inside an item. Nothing outside Jobs needs to know about threads, yet
 //           parallel builders (raycore's) called through run_in obey its number as well.
 // Cost      starting: a fraction of a microsecond when the threads are awake. An item: one indirect call.

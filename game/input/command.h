@@ -1,10 +1,10 @@
 // input/command.h - what the player means to do in one tick, as it is recorded and as it is simulated.
 //
 // Everything a device says is quantised to this, once a tick, *after* sensitivity and key bindings; there is
-// no other way into the game. Eight bytes without padding, so a recording of an hour is 1.7 MB before
-// compression. Angles    a turn is 65536 units. yaw 0 looks along -z, positive turns left (counter-clockwise
-// from above) and
-//           wraps; pitch is positive upwards and stays within 89 degrees of level.
+// no other way into the game. Eight bytes without padding: an hour of them is 1.7 MB before compression.
+//
+// Angles    a turn is 65536 units. yaw 0 looks along -z, positive turns left (counter-clockwise from above)
+//           and wraps; pitch is positive upwards and stays within 89 degrees of level.
 // Same bits helpers use det_math only.
 #pragma once
 

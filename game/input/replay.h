@@ -1,11 +1,13 @@
 // input/replay.h - a run as a file: one Command a tick, and hashes that prove a replay went the same way.
 //
-// Writing   a second of ticks at a time, flushed at once, to FILE.part; finish() gives the file its own name. After a
-//           crash FILE.part holds all but the last second and is read like any other.
-// Cost      append: a copy; once a second about 0.1 ms to compress. About 100 kB a minute, nearly all of it hashes.
+// Writing   a second of ticks at a time, flushed at once, to FILE.part; finish() gives the file its own name.
+//           After a crash FILE.part holds all but the last second and is read like any other.
+// Cost      append: a copy; once a second about 0.1 ms to compress. About 100 kB a minute, nearly all of it
+//           hashes.
 // Threads   a writer belongs to one thread; a Replay that was read is plain data.
-// Bad input any bytes at all: an Error with one sentence, or the ticks before the first damage with is_cut_short set.
-//           Memory is bounded by the file's size and by kMaxReplayTicks. replay_format.h describes the bytes.
+// Bad input any bytes at all: an Error with one sentence, or the ticks before the first damage with
+//           is_cut_short set. Memory is bounded by the file's size and by kMaxReplayTicks. replay_format.h
+//           describes the bytes.
 #pragma once
 
 #include "base/result.h"
@@ -67,7 +69,8 @@ struct Replay {
 
 class ReplayWriter {
   public:
-    // Starts FILE.part. Names longer than kMaxReplayName and more parts than kMaxReplayParts break the contract.
+    // Starts FILE.part. Names longer than kMaxReplayName and more parts than kMaxReplayParts break the
+    // contract.
     [[nodiscard]] static Result<ReplayWriter> create(const std::filesystem::path& path, ReplayHeader header);
 
     ReplayWriter(ReplayWriter&&) noexcept;
@@ -79,7 +82,8 @@ class ReplayWriter {
                         std::span<const std::uint64_t> parts);
     // Brings what was appended so far to the disk.
     Result<void> flush();
-    // Flushes, waits for the disk, marks the recording as complete and gives it its own name. Nothing may be appended afterwards.
+    // Flushes, waits for the disk, marks the recording as complete and gives it its own name. Nothing may be
+    // appended afterwards.
     Result<void> finish();
 
     [[nodiscard]] std::size_t ticks() const;

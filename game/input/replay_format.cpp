@@ -45,7 +45,8 @@ std::vector<std::byte> compressed(std::span<const std::byte> plain) {
     return out;
 }
 
-// Fills `plain` exactly, or fails. The only memory taken is zstd's own decoder state, whatever the frame claims.
+// Fills `plain` exactly, or fails. The only memory taken is zstd's own decoder state, whatever the frame
+// claims.
 bool decompress_exactly(std::span<const std::byte> packed, std::span<std::byte> plain) {
     return ZSTD_decompress(plain.data(), plain.size(), packed.data(), packed.size()) == plain.size();
 }

@@ -1,11 +1,12 @@
 // input/replay_format.h - the bytes of a replay file. Private to replay_*.cpp and their tests.
 //
 //   file    "GHREPLAY", format version u32, size of the body u32, body, XXH64 of all that u64; chunks; ending
-//   body    simulation version u32, layout, level, navmesh hashes and seed u64, level name, count u8, part names
-//   chunk   "TICK" u32, first tick u32, ticks u32 (1 to 60), compressed size u32, XXH64 of these and of the payload
-//           u64, payload (zstd)
-//   payload columns: yaw, pitch, right, forward, buttons, state hashes, then each part's hashes. Hashes of a part are
-//           XORed with the tick before (in the chunk), so that doors that stand still cost nothing.
+//   body    simulation version u32, layout, level, navmesh hashes and seed u64, level name, count u8, part
+//           names
+//   chunk   "TICK" u32, first tick u32, ticks u32 (1 to 60), compressed size u32, XXH64 of these and of the
+//           payload u64, payload (zstd)
+//   payload columns: yaw, pitch, right, forward, buttons, state hashes, then each part's hashes. Hashes of a
+//           part are XORed with the tick before (in the chunk): doors that stand still cost nothing.
 //   ending  "DONE" u32, ticks u32, XXH64 of both u64. A file without it was cut short.
 //
 // Numbers are little-endian; strings are a length u32 and bytes. Every field is covered by a hash.

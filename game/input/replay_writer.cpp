@@ -16,7 +16,8 @@ struct ReplayWriter::Open {
         if (file != nullptr) std::fclose(file);
     }
 
-    // After one failure everything fails with the same sentence: a file with a gap is worth nothing behind it.
+    // After one failure everything fails with the same sentence: a file with a gap is worth nothing behind
+    // it.
     [[nodiscard]] Result<void> write(std::span<const std::byte> bytes) {
         const bool is_written = !failure &&
                                 std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() &&

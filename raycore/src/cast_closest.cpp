@@ -30,8 +30,8 @@ struct Pair {
     glm::dvec3 on_edge;
 };
 
-// Nearest points of the segments from 0 to `axis` and from `a` to `b`. The parameter on the first is found from cross
-// products, which do not cancel when the two are nearly parallel.
+// Nearest points of the segments from 0 to `axis` and from `a` to `b`. The parameter on the first is found
+// from cross products, which do not cancel when the two are nearly parallel.
 Pair closest_of_segments(const glm::dvec3& axis, const glm::dvec3& a, const glm::dvec3& b) {
     const glm::dvec3 edge = b - a;
     const double axis_square = square(axis), edge_square = square(edge);
@@ -76,7 +76,8 @@ bool find_crossing(const glm::dvec3& axis, const Corners& c, const glm::dvec3& c
     return true;
 }
 
-// Keeps in `best` the nearer pair. A distance within rounding of 0 has no direction: then the axis goes through.
+// Keeps in `best` the nearer pair. A distance within rounding of 0 has no direction: then the axis goes
+// through.
 void keep_nearer(const Pair& pair, const glm::dvec3& normal_if_through, Closest& best) {
     const glm::dvec3 between = pair.on_axis - pair.on_edge;
     const double distance = std::sqrt(square(between));

@@ -10,7 +10,8 @@ namespace rc::cast {
 
 namespace {
 
-// How far beyond its end a piece still counts, in shares of its size: more than rounding, less than a float sees.
+// How far beyond its end a piece still counts, in shares of its size: more than rounding, less than a float
+// sees.
 constexpr double kBeyond = 1e-12;
 
 double square(const glm::dvec3& v) {
@@ -93,7 +94,8 @@ class Sweep {
         first_ = {t, face.corner + u * face.side1 + v * face.side2, share, outward};
     }
 
-    // Round the edge from `from` to `from + edge`; a share of the edge is a share of the axis times `axis_per_edge`.
+    // Round the edge from `from` to `from + edge`; a share of the edge is a share of the axis times
+    // `axis_per_edge`.
     void enter_cylinder(const glm::dvec3& from, const glm::dvec3& edge, double along_axis,
                         double axis_per_edge) {
         const double edge_square = square(edge);
@@ -117,8 +119,8 @@ class Sweep {
         first_ = {t, corner, along_axis, (t * body_.displacement - corner) / radius_};
     }
 
-    // When a point at `start` moving by `way` comes within the radius of 0; infinity when it never does. The point
-    // of nearest approach is formed first: the textbook's b * b - a * c would cancel from afar.
+    // When a point at `start` moving by `way` comes within the radius of 0; infinity when it never does. The
+    // point of nearest approach is formed first: the textbook's b * b - a * c would cancel from afar.
     [[nodiscard]] double time_to_circle(const glm::dvec3& start, const glm::dvec3& way) const {
         constexpr double kNever = std::numeric_limits<double>::infinity();
         const double way_square = square(way);
@@ -129,8 +131,8 @@ class Sweep {
         const double spare = radius_ * radius_ - square(start + nearest_t * way);
         if (!(spare >= 0.0)) return kNever;
         const double t = nearest_t - std::sqrt(spare / way_square);
-        // Inside already: beyond an edge's ends, which its share will tell, or by rounding, for the body is known not
-        // to overlap at the start.
+        // Inside already: beyond an edge's ends, which its share will tell, or by rounding, for the body is
+        // known not to overlap at the start.
         return t > 0.0 ? t : 0.0;
     }
 
@@ -177,7 +179,8 @@ std::optional<Contact> first_contact(const Body& body, const Corners& triangle) 
     const Closest closest = closest_points(body.axis, triangle, body.displacement);
     if (overlaps(body, closest)) return at_start(body, closest);
     if (!(square(body.displacement) > 0.0)) return std::nullopt;
-    // The distance to something convex that does not shrink at first never shrinks: resting bodies are done here.
+    // The distance to something convex that does not shrink at first never shrinks: resting bodies are done
+    // here.
     const bool is_touching = closest.distance <= body.radius + body.touch;
     if (is_touching && glm::dot(closest.normal, body.displacement) >= 0.0) return std::nullopt;
 
@@ -185,8 +188,9 @@ std::optional<Contact> first_contact(const Body& body, const Corners& triangle) 
                                                ? at_start(body, closest)
                                                : Sweep(body, body.radius, triangle).first_entry();
     if (!contact || !(contact->t <= 1.0)) return std::nullopt;
-    // What only ever grazes, even if it went on for ever, is not met: else a ball that rolls over a floor would stop at
-    // each seam. A ball smaller by `touch` passes the same gaps, so that nothing closed is ever left like this.
+    // What only ever grazes, even if it went on for ever, is not met: else a ball that rolls over a floor
+    // would stop at each seam. A ball smaller by `touch` passes the same gaps, so that nothing closed is ever
+    // left like this.
     if (body.touch > 0.0 && !Sweep(body, body.radius - body.touch, triangle).first_entry())
         return std::nullopt;
     return contact;

@@ -1,14 +1,16 @@
 // cast_math.h - one moving ball or capsule against one triangle, exactly. Private to raycore.
 //
-// The body is all points within `radius` of the segment from 0 to `axis`; it moves by `displacement`. Triangles come
-// relative to the axis' start, in the world's frame: subtracted in double, so that far from the origin nothing is lost
-// that a float still knew. Everything is +, -, *, / and sqrt in double: the same bits everywhere.
+// The body is all points within `radius` of the segment from 0 to `axis`; it moves by `displacement`.
+// Triangles come relative to the axis' start, in the world's frame: subtracted in double, so that far from
+// the origin nothing is lost that a float still knew. Everything is +, -, *, / and sqrt in double: the same
+// bits everywhere.
 //
-// Method    what the axis sweeps past is a point moving towards K, the triangle swept by -axis: a convex body of two
-//           triangles and three parallelograms. K thickened by the radius is K's faces moved outwards, cylinders
-//           round its edges and balls round its corners; the body touches first where the point first enters one of
-//           them. Faces and cylinders are tested a trifle (1e-12 of their size) beyond their ends, so that rounding
-//           leaves no gap between them, and nothing is iterated that could give up.
+// Method    what the axis sweeps past is a point moving towards K, the triangle swept by -axis: a convex body
+//           of two triangles and three parallelograms. K thickened by the radius is K's faces moved outwards,
+//           cylinders round its edges and balls round its corners; the body touches first where the point
+//           first enters one of them. Faces and cylinders are tested a trifle (1e-12 of their size) beyond
+//           their ends, so that rounding leaves no gap between them, and nothing is iterated that could give
+//           up.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -22,7 +24,8 @@ struct Body {
     glm::dvec3 axis{0.0};  // zero: a ball
     double radius = 0.0;
     glm::dvec3 displacement{0.0};
-    // An overlap up to this is rounding of the body's own position: it counts as touching, not as overlapping.
+    // An overlap up to this is rounding of the body's own position: it counts as touching, not as
+    // overlapping.
     double touch = 0.0;
 };
 
@@ -35,9 +38,9 @@ struct Contact {
     glm::dvec3 normal{0.0};  // unit, from the triangle towards the axis
 };
 
-// Where the body first meets the triangle. A body that overlaps it at the start (deeper than `touch`) meets it at 0;
-// one that touches it meets it at 0 when moving closer, and not at all when moving along it or away. A way that, even
-// continued, never leads deeper than `touch` only grazes, and meets nothing.
+// Where the body first meets the triangle. A body that overlaps it at the start (deeper than `touch`) meets
+// it at 0; one that touches it meets it at 0 when moving closer, and not at all when moving along it or away.
+// A way that, even continued, never leads deeper than `touch` only grazes, and meets nothing.
 [[nodiscard]] std::optional<Contact> first_contact(const Body& body, const Corners& triangle);
 
 // How the body overlaps the triangle where it stands (deeper than `touch`), t = 0.

@@ -22,8 +22,8 @@ double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-// For x >= 0. What lies within double's rounding below a float counts as that float, so that triangles which share the
-// corner that is touched tie.
+// For x >= 0. What lies within double's rounding below a float counts as that float, so that triangles which
+// share the corner that is touched tie.
 float rounded_down(double x) {
     x += x * 0x1p-44;
     const auto nearest = static_cast<float>(x);
@@ -32,7 +32,8 @@ float rounded_down(double x) {
                                 1);  // the float below: nearest > x >= 0
 }
 
-// A body placed by float arithmetic is off by a few units in its last place; a small one by no more than half of it.
+// A body placed by float arithmetic is off by a few units in its last place; a small one by no more than half
+// of it.
 double touch_tolerance(const glm::dvec3& origin, const Body& body) {
     const double size = std::max(largest(origin), largest(origin + body.axis)) + body.radius;
     return std::min(4.0 * 0x1p-24 * size, 0.5 * body.radius);

@@ -1,4 +1,5 @@
-// cast_query.h - what casts and overlaps share: bodies checked and prepared for cast_math. Private to raycore.
+// cast_query.h - what casts and overlaps share: bodies checked and prepared for cast_math. Private to
+// raycore.
 #pragma once
 
 #include "cast_math.h"

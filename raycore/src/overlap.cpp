@@ -20,7 +20,8 @@ bool is_same_triangle(const CastHit& a, const CastHit& b) {
     return a.instance == b.instance && a.primitive == b.primitive;
 }
 
-// Puts `hit` in its place among the first `count` of `out`, dropping the last when all are taken; the new count.
+// Puts `hit` in its place among the first `count` of `out`, dropping the last when all are taken; the new
+// count.
 std::size_t insert(const CastHit& hit, std::span<CastHit> out, std::size_t count) {
     const auto end = out.begin() + static_cast<std::ptrdiff_t>(count);
     // The same triangle comes with the same depth, so it would stand here; trees may show it twice.

@@ -1,5 +1,5 @@
-// libFuzzer target: any bytes at all as a replay file, as the body of its header and as a second of ticks, because hardly
-// any mutation gets past the hashes by itself.
+// libFuzzer target: any bytes at all as a replay file, as the body of its header and as a second of ticks,
+// because hardly any mutation gets past the hashes by itself.
 //
 //   cmake -DGLASSHOUSE_FUZZ=ON -DCMAKE_CXX_COMPILER=clang++ ...; bin/replay_fuzz -max_total_time=60
 #include "base/bytes.h"

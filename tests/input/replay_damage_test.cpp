@@ -1,5 +1,5 @@
-// Replays come from strangers: whatever the bytes, a sentence or a true beginning of the run, never a crash and
-// never more memory than the file could honestly fill.
+// Replays come from strangers: whatever the bytes, a sentence or a true beginning of the run, never a crash
+// and never more memory than the file could honestly fill.
 #include "base/hash.h"
 #include "base/random.h"
 #include "input/replay.h"

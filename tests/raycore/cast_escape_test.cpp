@@ -1,5 +1,6 @@
-// Nothing thrown leaves a closed room. Sweeps that iterate to a cap lose 482, 112 or 8 of 2000 stones; these may
-// lose none. Each stone goes on from where it touched, so that every cast but the first starts in contact.
+// Nothing thrown leaves a closed room. Sweeps that iterate to a cap lose 482, 112 or 8 of 2000 stones; these
+// may lose none. Each stone goes on from where it touched, so that every cast but the first starts in
+// contact.
 #include "support/brute_force.h"
 
 #include <glm/geometric.hpp>
@@ -43,7 +44,8 @@ Escapes throw_stones(std::uint64_t seed, const glm::vec3& centre, float spread, 
             if (hit) {
                 ++result.contacts;
                 at += way * hit->t;
-                // Float positions overlap a wall by rounding; a game's skin would take care of it, here the normal does.
+                // Float positions overlap a wall by rounding; a game's skin would take care of it, here the
+                // normal does.
                 at += hit->normal * (hit->depth + rounding);
             } else {
                 at += way;
@@ -63,7 +65,8 @@ TEST(CastEscape, NoStoneLeavesABallOfManyTriangles) {
     TestScene scene;
     scene.add(make_ball(glm::vec3(0.0f), 3.0f, 6));
     scene.commit();
-    // The faces of the ball lie a little inside its sphere: outside is measured from the nearest face's plane.
+    // The faces of the ball lie a little inside its sphere: outside is measured from the nearest face's
+    // plane.
     const Mesh ball = make_ball(glm::vec3(0.0f), 3.0f, 6);
     const auto outside = [&](const glm::vec3& p) {
         float farthest = -3.0f;

@@ -1,6 +1,6 @@
-// raycore/cast_oracle.h - when a moving body first touches a triangle, found the slow way: by searching, in long double,
-// for where a distance falls below the radius. Distances between convex things are convex along a straight way, so
-// the searches can not be led astray; nothing is shared with the code under test.
+// raycore/cast_oracle.h - when a moving body first touches a triangle, found the slow way: by searching, in
+// long double, for where a distance falls below the radius. Distances between convex things are convex along
+// a straight way, so the searches can not be led astray; nothing is shared with the code under test.
 #pragma once
 
 #include "raycore/ray.h"

@@ -1,4 +1,5 @@
-// Balls and capsules against single triangles of every shape: the answer is compared with one found by searching.
+// Balls and capsules against single triangles of every shape: the answer is compared with one found by
+// searching.
 #include "raycore/cast_oracle.h"
 
 #include "support/brute_force.h"
@@ -56,8 +57,8 @@ void compare(const Triangle& triangle, const Cast& cast, Tally& tally) {
     const auto hit = rc::capsule_cast(scene.scene(), cast.axis, cast.radius, cast.way, rc::kAllLayers);
     const OracleCast truth = cast_by_search(cast.axis, cast.radius, cast.way, triangle);
 
-    // Positions are within 4 of the origin and floats; t is rounded down to a float. A sliver of the least area may
-    // be dropped at build, so the widths above keep clear of that.
+    // Positions are within 4 of the origin and floats; t is rounded down to a float. A sliver of the least
+    // area may be dropped at build, so the widths above keep clear of that.
     const auto r = static_cast<long double>(cast.radius);
     const long double slack = 1e-6L;
     if (!hit) {
@@ -87,7 +88,8 @@ void compare(const Triangle& triangle, const Cast& cast, Tally& tally) {
         EXPECT_NEAR(static_cast<double>(at_hit), static_cast<double>(r),
                     1e-5 * static_cast<double>(cast.radius) + 1e-6);
         ASSERT_TRUE(truth.first_t || truth.least_distance < r + slack);
-        // Never later than the truth by more than its own rounding; earlier only as far as the slope is shallow.
+        // Never later than the truth by more than its own rounding; earlier only as far as the slope is
+        // shallow.
         if (truth.first_t) {
             EXPECT_LE(static_cast<long double>(hit->t), *truth.first_t + 1e-7L);
         }

@@ -51,9 +51,10 @@ struct CastHit {
     std::uint32_t instance = kNone;
 };
 
-// A ball of `radius` >= 0 whose centre moves from `centre` by `displacement` (zero: an overlap test). Touching at
-// the start while moving away or along is no hit unless it overlaps by more than rounding (4 units in the last place of its
-// position, at most half the radius); nor is grazing by no more than that on the way, so that seams stop nobody.
+// A ball of `radius` >= 0 whose centre moves from `centre` by `displacement` (zero: an overlap test). Touching
+// at the start while moving away or along is no hit unless it overlaps by more than rounding (4 units in the
+// last place of its position, at most half the radius); nor is grazing by no more than that on the way, so
+// that seams stop nobody.
 [[nodiscard]] std::optional<CastHit> sphere_cast(const Scene& scene, const glm::vec3& centre, float radius,
                                                  const glm::vec3& displacement, LayerMask layers);
 
