@@ -1,6 +1,7 @@
 #include "load/image_decode.h"
 
 #include "load/limits.h"
+#include "load/png_check.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -67,6 +68,10 @@ Result<Pixels> read_pixels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec,
 Result<Pixels> decode_image(Bytes bytes, std::size_t max_bytes) {
     const std::string format = format_of(bytes);
     if (format.empty()) return Error{"is neither PNG nor JPEG"};
+    if (format == "png") {
+        if (const std::optional<std::string> damage = find_png_damage(bytes))
+            return Error{"is damaged: " + *damage};
+    }
     try {
         OIIO::Filesystem::IOMemReader reader(const_cast<unsigned char*>(bytes.data()), bytes.size());
         const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format);

@@ -110,12 +110,13 @@ struct Origin {
     std::filesystem::path navmesh_file;  // empty: none is looked for
 };
 
-Result<world::Level> load_named(std::span<const std::byte> bytes, const Origin& origin) {
+Result<world::Level> load_named(std::span<const std::byte> bytes, const Origin& origin,
+                                const LoadOptions& options) {
     try {
         Result<world::Level> level = read_level(bytes, origin.base_dir);
         if (!level) return in_file(origin.name, level.error());
         level->name = std::filesystem::path(origin.name).stem().string();
-        add_ways(origin.navmesh_file, *level);
+        if (options.finds_ways) add_ways(origin.navmesh_file, *level);
         return level;
     } catch (const std::bad_alloc&) {
         return in_file(origin.name, Error{"needs more memory than there is"});
@@ -125,16 +126,17 @@ Result<world::Level> load_named(std::span<const std::byte> bytes, const Origin& 
 }  // namespace
 
 Result<world::Level> load_level_from_memory(std::span<const std::byte> bytes, const std::string& name,
-                                            const std::filesystem::path& base_dir) {
-    return load_named(bytes, {name, base_dir, {}});
+                                            const std::filesystem::path& base_dir,
+                                            const LoadOptions& options) {
+    return load_named(bytes, {name, base_dir, {}}, options);
 }
 
-Result<world::Level> load_level(const std::filesystem::path& path) {
+Result<world::Level> load_level(const std::filesystem::path& path, const LoadOptions& options) {
     const Result<std::vector<std::byte>> bytes = read_file(path, kMaxFileBytes);
     if (!bytes) return bytes.error();
     std::filesystem::path base_dir = path.parent_path();
     if (base_dir.empty()) base_dir = ".";
-    return load_named(*bytes, {path.filename().string(), base_dir, navmesh_path(path)});
+    return load_named(*bytes, {path.filename().string(), base_dir, navmesh_path(path)}, options);
 }
 
 }  // namespace gh::load

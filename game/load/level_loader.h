@@ -19,14 +19,20 @@
 
 namespace gh::load {
 
-// Reads .glb or .gltf (told apart by content). A navmesh beside it (foyer.glb: foyer.navmesh) is used when it
-// was baked from this very geometry; otherwise one is baked now.
-[[nodiscard]] Result<world::Level> load_level(const std::filesystem::path& path);
+struct LoadOptions {
+    bool finds_ways = true;  // false: no navmesh is read or baked, which a picture does not need
+};
 
-// The same from bytes; `name` is for sentences, external buffers and images are looked for in `base_dir` (empty:
-// refused), and no navmesh file is looked for.
+// Reads .glb or .gltf (told apart by content). A navmesh beside it (foyer.glb: foyer.navmesh) is used when it
+// was baked from this very geometry; otherwise one is baked now, where somebody could walk it.
+[[nodiscard]] Result<world::Level> load_level(const std::filesystem::path& path,
+                                              const LoadOptions& options = {});
+
+// The same from bytes; `name` is for sentences, external buffers and images are looked for in `base_dir`
+// (empty: refused), and no navmesh file is looked for.
 [[nodiscard]] Result<world::Level> load_level_from_memory(std::span<const std::byte> bytes,
                                                           const std::string& name,
-                                                          const std::filesystem::path& base_dir);
+                                                          const std::filesystem::path& base_dir,
+                                                          const LoadOptions& options = {});
 
 }  // namespace gh::load

@@ -39,7 +39,7 @@ std::optional<std::vector<std::byte>> read_navmesh_file(const std::filesystem::p
 }
 
 Result<void> bake_navmesh_file(const std::filesystem::path& level_path) {
-    const Result<world::Level> level = load_level(level_path);
+    const Result<world::Level> level = load_level(level_path, {.finds_ways = false});
     if (!level) return level.error();
     const auto refuse = [&](const Error& error) {
         return Error{fmt::format("{}: {}", level_path.filename().string(), error.sentence)};
