@@ -100,19 +100,26 @@ void Mixer::Engine::aim(Slot& slot, const Heard& heard, const Ear& ear) {
     }
 }
 
-// A voice that is no longer chosen fades if it loops or was pushed out, and otherwise rings on.
+// A voice that is no longer chosen fades if it loops or was pushed out, and otherwise rings on. A step that was
+// pushed out, or found no voice at first, is over: it must not start late.
 void Mixer::Engine::retire(std::span<const Heard> heard) {
     const auto names = [](std::span<const Heard> list, std::uint32_t key) {
         return std::any_of(list.begin(), list.end(), [&](const Heard& h) { return h.voice_key == key; });
     };
     std::erase_if(ended, [&](std::uint32_t key) { return !names(heard, key); });
+    const auto end_key = [&](std::uint32_t key) {
+        if (names(heard, key) && std::find(ended.begin(), ended.end(), key) == ended.end())
+            ended.push_back(key);
+    };
+    for (const Heard& h : heard) {
+        if (!h.loop && !names(chosen, h.voice_key)) end_key(h.voice_key);
+    }
     for (Slot& slot : slots) {
         if (slot.phase == Phase::Free) continue;
         ALint state = AL_STOPPED;
         alGetSourcei(slot.sources[0], AL_SOURCE_STATE, &state);
         if (state == AL_STOPPED || (slot.phase == Phase::Fading && slot.fade == 0)) {
-            // A voice that was pushed out may come back; one that has come to its end may not.
-            if (state == AL_STOPPED && names(heard, slot.key)) ended.push_back(slot.key);
+            if (state == AL_STOPPED) end_key(slot.key);
             stop(slot);
             continue;
         }

@@ -10,11 +10,12 @@
 //
 // Voices    the same key tick after tick is the same voice. A voice that is not named any more fades when it
 //           loops, and otherwise rings out as it last was. A key whose sound has ended stays silent until it
-//           has not been named for a tick. More keys than kMaxVoices: the loudest have it, lower keys first.
+//           has not been named for a tick. More keys than kMaxVoices: the loudest have it, lower keys first;
+//           a sound that loses its voice is over, a loop may come back.
 // Cost      6 to 8 % of a core with all voices, on OpenAL's own thread (device) or in render (loopback).
 // Threads   one at a time per Mixer; the bank must outlive nothing: its samples are copied into OpenAL.
 // Same bits a loopback given the same ticks renders the same samples on the same machine.
-// Bad input a NaN in a position or gain silences that voice for the tick.
+// Bad input a NaN in a position or gain: that sound is not played.
 #pragma once
 
 #include "audio/sound_bank.h"

@@ -222,6 +222,26 @@ TEST_F(MixerTest, StealingNeverExceedsTheLimit) {
     }
 }
 
+// A distant step that no voice was free for must not be heard a second late, when the noise has died down.
+TEST_F(MixerTest, AStepThatFoundNoVoiceDoesNotComeLate) {
+    Mixer mixer = open_mixer(bank_, false);
+    std::vector<Heard> crowd;
+    for (std::uint32_t i = 0; i < kMaxVoices; ++i) crowd.push_back(hum_at({1.0f, 1.0f, -1.0f}, 100 + i));
+    crowd.push_back(
+        {.sound = {Sound::BootMarble, 0}, .voice_key = 7, .position = {0.0f, 0.0f, -2.0f}, .gain = 0.5f});
+    std::ignore = listen(mixer, ear_, crowd, 4);
+    const std::vector<Heard> step = {crowd.back()};
+    std::ignore = listen(mixer, ear_, step, 12);
+    EXPECT_EQ(mixer.voices(), 0u);
+    // And one that is pushed out half way does not begin again.
+    std::ignore = listen(mixer, ear_, {}, 1);
+    std::ignore = listen(mixer, ear_, step, 3);
+    EXPECT_EQ(mixer.voices(), 1u);
+    std::ignore = listen(mixer, ear_, crowd, 6);
+    std::ignore = listen(mixer, ear_, step, 12);
+    EXPECT_EQ(mixer.voices(), 0u);
+}
+
 // A sound that rang out is over, though its noise is still named; the next noise has another key.
 TEST_F(MixerTest, ASoundIsPlayedOnce) {
     Mixer mixer = open_mixer(bank_, false);

@@ -175,14 +175,13 @@ def trimmings(cloth):
     heights = rimmed(np.linspace(0.675, 1.350, 12), 0.005)
     parts.append(front_patch(cloth, lambda z: (-0.058 - 0.02 * max(0, 1.0 - z), 0.070 + 0.02 * max(0, 1.0 - z)),
                              heights, 0.006, "guard_coat", 5))
-    lapel = interpolate
-    parts.append(front_patch(cloth, lambda z: (-float(lapel([(1.30, .008), (1.49, .060)], z)),
-                                               float(lapel([(1.30, .008), (1.49, .060)], z))),
+    throat = [(1.30, .008), (1.49, .060)]  # half width of the shirt that shows, by height
+    parts.append(front_patch(cloth, lambda z: (-float(interpolate(throat, z)), float(interpolate(throat, z))),
                              rimmed(np.linspace(1.320, 1.490, 6), 0.004), 0.005, "guard_shirt", 4))
     for sign in (1, -1):
         def edge(z, s=sign):
-            inner = lapel([(1.30, .006), (1.40, .022), (1.49, .052)], z)
-            outer = lapel([(1.30, .020), (1.42, .098), (1.445, .104), (1.455, .084), (1.49, .078)], z)
+            inner = interpolate([(1.30, .006), (1.40, .022), (1.49, .052)], z)
+            outer = interpolate([(1.30, .020), (1.42, .098), (1.445, .104), (1.455, .084), (1.49, .078)], z)
             return tuple(sorted((s * float(inner), s * float(outer))))
         parts.append(front_patch(cloth, edge, rimmed(np.linspace(1.30, 1.485, 9), 0.004), 0.011, "guard_collar"))
         parts.append(front_patch(cloth, lambda z, s=sign: tuple(sorted((s * 0.080, s * 0.155))),

@@ -52,7 +52,7 @@ def skull():
                               [1.551, 1.5475, 1.546]])
     rings = []
     for z in heights:
-        up = (z - MIDDLE[2]) / np.where(z > MIDDLE[2], .1185, .1185)
+        up = (z - MIDDLE[2]) / .1185
         level = np.sqrt(max(0.0, 1 - abs(up) ** 2.5)) ** 0.86
         x = np.sin(angles) * .0775 * level
         y = MIDDLE[1] - .004 + np.cos(angles) * np.where(np.cos(angles) > 0, .0940, .1000) * level
@@ -146,7 +146,7 @@ def ear(sign):
         points = np.column_stack([np.full(13, lift), np.cos(angle) * reach * scale,
                                   np.sin(angle) * (.0310 - .004 * (np.sin(angle) < 0)) * scale])
         points[:, 0] += .009 * smoothstep(.005, -.018, points[:, 1]) - .001
-        points[:, 1] -= .16 * points[:, 2] * -1 * .6
+        points[:, 1] += .096 * points[:, 2]
         rings.append(points)
     part = loft(rings, "guard_skin", "head", True, True)
     lobe = part.moved(np.eye(3), (.0745, -.006, 1.662))

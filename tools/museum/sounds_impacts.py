@@ -132,7 +132,7 @@ def land(name):
     slap = convolved(ground_response(rng, "marble"), pulse(.0032))
     cloth = band_noise(rng, .3, 500, 3500, -3) * keyed([0, .03, .12, .3], [0, 1, .35, 0], .3)
     return settled(laid(.65, (.002, thump / np.abs(thump).max()), (.003, slap / np.abs(slap).max() * .55),
-                        (.022, slap[::1] / np.abs(slap).max() * .35), (.0, cloth * .06)), -11)
+                        (.022, slap / np.abs(slap).max() * .35), (.0, cloth * .06)), -11)
 
 
 def all_impacts():
