@@ -1,0 +1,135 @@
+// Any glTF can be walked through: text or binary, whatever its pictures, with nothing of ours in it.
+#include "level_bytes.h"
+#include "load/inspect.h"
+#include "world/layers.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace gh {
+namespace {
+
+using test::expect_near;
+using ::testing::HasSubstr;
+
+// A flat JPEG of 4 x 4 pixels, #3399e6.
+constexpr const char* kJpeg =
+    "/9j/4AAQSkZJRgABAQAAAQABAAD/"
+    "2wBDAA0JCgsKCA0LCgsODg0PEyAVExISEyccHhcgLikxMC4pLSwzOko+MzZGNywtQFdBRkxOUlNSMj5aYVpQYEpR"
+    "Uk//2wBDAQ4ODhMREyYVFSZPNS01T09PT09PT09PT09PT09PT09PT09PT09PT09PT09PT09PT09PT09PT09PT09PT09PT09PT0//"
+    "wAARCAAEAAQDAREA"
+    "AhEBAxEB/8QAFAABAAAAAAAAAAAAAAAAAAAAAv/EABQQAQAAAAAAAAAAAAAAAAAAAAD/xAAUAQEAAAAAAAAAAAAAAAAAAAAG/"
+    "8QAFBEBAAAAAAAAAAAA"
+    "AAAAAAAAAP/aAAwDAQACEQMRAD8ARAPP/9k=";
+
+std::string base64(const std::vector<float>& values) {
+    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
+    std::string text;
+    for (std::size_t i = 0; i < values.size() * sizeof(float);
+         i += 3) {  // whole triples only: the callers' are
+        const unsigned bits = (unsigned{bytes[i]} << 16) | (unsigned{bytes[i + 1]} << 8) | bytes[i + 2];
+        for (int shift = 18; shift >= 0; shift -= 6) text += kDigits[(bits >> shift) & 63u];
+    }
+    return text;
+}
+
+// A floor of 20 x 20 m as a .gltf with everything inside it: two triangles, no normals, a JPEG, uvs at half scale.
+std::string floor_gltf() {
+    const std::vector<float> p{-10, 0, -10, -10, 0, 10, 10, 0, 10, -10, 0, -10, 10, 0, 10, 10, 0, -10};
+    const std::vector<float> uv{0, 0, 0, 1, 1, 1, 0, 0, 1, 1, 1, 0};
+    return R"({"asset":{"version":"2.0"},"extensionsRequired":["KHR_texture_transform"],"buffers":[)"
+           R"({"byteLength":72,"uri":"data:application/octet-stream;base64,)" +
+           base64(p) +
+           R"("},)"
+           R"({"byteLength":48,"uri":"data:application/octet-stream;base64,)" +
+           base64(uv) +
+           R"("}],"bufferViews":[)"
+           R"({"buffer":0,"byteLength":72},{"buffer":1,"byteLength":48}],"accessors":[)"
+           R"({"bufferView":0,"componentType":5126,"count":6,"type":"VEC3"},)"
+           R"({"bufferView":1,"componentType":5126,"count":6,"type":"VEC2"}],)"
+           R"("images":[{"uri":"data:image/jpeg;base64,)" +
+           std::string(kJpeg) +
+           R"("}],"textures":[{"source":0,"sampler":0}],)"
+           R"("samplers":[{"wrapS":33071,"wrapT":33648}],"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,)"
+           R"("extensions":{"KHR_texture_transform":{"offset":[0.25,0],"scale":[0.5,0.5]}}}}}],)"
+           R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"material":0}]}],"nodes":[{"mesh":0}]})";
+}
+
+TEST(ForeignLevel, IsReadFromTextWithEverythingInside) {
+    const Result<world::Level> level = test::load_quickly(test::as_bytes(floor_gltf()));
+    ASSERT_TRUE(level) << level.error().sentence;
+    const world::Mesh& mesh = level->meshes.at(level->parts.at(0).mesh);
+    ASSERT_EQ(mesh.triangles.size(), 2u);
+    for (const glm::vec3& normal : mesh.normals) expect_near(normal, {0.0f, 1.0f, 0.0f});
+    EXPECT_FLOAT_EQ(mesh.uvs.at(2).x, 0.75f) << "KHR_texture_transform is baked in";
+    EXPECT_FLOAT_EQ(mesh.uvs.at(2).y, 0.5f);
+    ASSERT_EQ(level->textures.size(), 1u);
+    const world::Texture& picture = level->textures[0];
+    EXPECT_EQ(picture.wrap_u, world::Wrap::Clamp);
+    EXPECT_EQ(picture.wrap_v, world::Wrap::Mirror);
+    ASSERT_EQ(picture.rgba.size(), 64u);
+    EXPECT_NEAR(picture.rgba[0], 0x33, 4) << "JPEG loses a little";
+    EXPECT_NEAR(picture.rgba[1], 0x99, 4);
+    EXPECT_NEAR(picture.rgba[2], 0xE6, 4);
+    EXPECT_EQ(picture.rgba[3], 255);
+}
+
+TEST(ForeignLevel, GetsASunAndAPlaceToStand) {
+    const Result<world::Level> level = test::load_quickly(test::as_bytes(floor_gltf()));
+    ASSERT_TRUE(level) << level.error().sentence;
+    ASSERT_EQ(level->lamps.size(), 1u);
+    EXPECT_EQ(level->lamps[0].shape, world::LampShape::Sun);
+    EXPECT_LT(level->lamps[0].direction.y, -0.5f) << "it shines down";
+    expect_near(level->spawn.position, {0.0f, 0.0f, 0.0f});
+    EXPECT_EQ(level->parts[0].layers & world::kEverything, world::kEverything)
+        << "all of it can be walked on";
+    EXPECT_TRUE(level->guards.empty());
+}
+
+// Without its spawn, the tiny level's player must still begin on its floor, under its roof, clear of its walls.
+TEST(ForeignLevel, BeginsIndoorsAndClearOfTheWalls) {
+    const Result<world::Level> level =
+        test::load_quickly(test::with(test::tiny_level_glb(), "\"kind\":\"spawn\"", "\"kino\":\"spawn\""));
+    ASSERT_TRUE(level) << level.error().sentence;
+    const glm::vec3 feet = level->spawn.position;
+    EXPECT_NEAR(feet.y, 0.0f, 1e-5f);
+    EXPECT_LT(std::abs(feet.x), 4.0f - 0.35f);
+    EXPECT_LT(std::abs(feet.z), 3.0f - 0.35f);
+    EXPECT_GT(std::abs(feet.z), 0.35f) << "not in the wall between the rooms";
+}
+
+TEST(ForeignLevel, IsLitByItsOwnPanelsBeforeASunIsHung) {
+    test::Bytes bytes = test::with(test::tiny_level_glb(), "\"kind\":\"lamp\"", "\"kino\":\"lamp\"");
+    bytes = test::with(bytes, R"("KHR_lights_punctual":{"light")", R"("KHR_lights_elsewhen":{"light")");
+    const Result<world::Level> level = test::load_quickly(bytes);
+    ASSERT_TRUE(level) << level.error().sentence;
+    ASSERT_EQ(level->lamps.size(), 1u);
+    EXPECT_EQ(level->lamps[0].shape, world::LampShape::Sphere);
+    EXPECT_EQ(level->lamps[0].name, "bulb");
+}
+
+TEST(ForeignLevel, ThatNeedsWhatWeDoNotReadIsRefused) {
+    std::string draco = floor_gltf();
+    draco.replace(draco.find("KHR_texture_transform"), 21, "KHR_draco_compression");
+    EXPECT_EQ(test::refusal(test::as_bytes(draco)),
+              "tiny.glb: requires the extension KHR_draco_compression, which is not read");
+}
+
+TEST(Inspect, NamesTheFileThatIsNotThere) {
+    const Result<std::string> page = load::describe_level("/nowhere/at/all.glb");
+    ASSERT_FALSE(page);
+    EXPECT_THAT(page.error().sentence, HasSubstr("/nowhere/at/all.glb"));
+}
+
+TEST(Inspect, TellsOfTheBundledLevelWhatAPlayerMeets) {
+    const Result<std::string> page = load::describe_level(GLASSHOUSE_SOURCE_DIR "/assets/levels/foyer.glb");
+    ASSERT_TRUE(page) << page.error().sentence;
+    for (const char* word : {"Hall of Mirrors", "lens ", "guard ", "navmesh", "doors", "hash"})
+        EXPECT_THAT(*page, HasSubstr(word));
+    EXPECT_THAT(*page, ::testing::Not(HasSubstr("ERROR"))) << "a bundled level is fair";
+}
+
+}  // namespace
+}  // namespace gh
