@@ -86,7 +86,8 @@ Result<world::Guard> read_guard(const LevelBuild& build, std::uint32_t id, const
     return guard;
 }
 
-// Bodies are in nobody's way as geometry: characters keep apart as capsules, and no look stops at its own head.
+// Bodies are in nobody's way as geometry: characters keep apart as capsules, and no look stops at its own
+// head.
 void add_body(LevelBuild& build, std::uint32_t index) {
     const world::Guard& guard = build.level.guards[index];
     if (guard.model == world::kNoIndex) return;

@@ -11,7 +11,8 @@
 namespace gh::load {
 namespace {
 
-// What glTF gives in lumens the game counts in watts, at the rate Blender's exporter turned watts into lumens.
+// What glTF gives in lumens the game counts in watts, at the rate Blender's exporter turned watts into
+// lumens.
 constexpr double kLumensPerWatt = 683.0;
 
 int light_of(const tinygltf::Node& node) {

@@ -1,5 +1,5 @@
-// Things that turn or go away: doors, mirrors and lenses. First where they turn, which their parts hang on; then,
-// from the parts, where one takes hold of them and what they show.
+// Things that turn or go away: doors, mirrors and lenses. First where they turn, which their parts hang on;
+// then, from the parts, where one takes hold of them and what they show.
 #include "base/det_math.h"
 #include "load/flat_face.h"
 #include "load/gltf_extras.h"

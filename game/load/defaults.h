@@ -6,8 +6,8 @@
 
 namespace gh::load {
 
-// Some ground near the middle with room to stand up, indoors and low down rather than on the roof, facing the way
-// one sees farthest. Where there is no such ground: on top of whatever there is.
+// Some ground near the middle with room to stand up, indoors and low down rather than on the roof, facing the
+// way one sees farthest. Where there is no such ground: on top of whatever there is.
 // Cost: builds trees over everything solid.
 [[nodiscard]] world::Spawn find_spawn(const world::Level& level);
 

@@ -1,8 +1,8 @@
 // load/gltf_accessor.h - the numbers of a glTF accessor, after proving that they are there.
 //
-// Checked   accessor, view and buffer exist; offset + count x stride lies inside all three; types are what the
-//           reader asked for; every number read is finite. Sparse accessors are read, accessors without a view
-//           are zeros. Nothing is allocated for elements the file has no bytes for.
+// Checked   accessor, view and buffer exist; offset + count x stride lies inside all three; types are what
+//           the reader asked for; every number read is finite. Sparse accessors are read, accessors without a
+//           view are zeros. Nothing is allocated for elements the file has no bytes for.
 // Sentences name the accessor; the caller puts mesh, primitive and attribute in front.
 #pragma once
 

@@ -1,7 +1,8 @@
-// load/gltf_extras.h - game meaning: the custom properties (glTF `extras`) of a node or material, by name and type.
+// load/gltf_extras.h - game meaning: the custom properties (glTF `extras`) of a node or material, by name and
+// type.
 //
-// Bad input  a property of another type than asked for is a mistake of the author and gives a sentence, except
-//            that 1 and 0 pass as true and false (Blender writes them so).
+// Bad input  a property of another type than asked for is a mistake of the author and gives a sentence,
+//            except that 1 and 0 pass as true and false (Blender writes them so).
 #pragma once
 
 #include "base/result.h"

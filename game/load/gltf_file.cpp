@@ -63,7 +63,8 @@ bool read_side_file(std::vector<unsigned char>* out, std::string* error, const s
     return true;
 }
 
-// Images in a buffer view are left alone: their bytes' range is not checked yet. Others are kept as they came.
+// Images in a buffer view are left alone: their bytes' range is not checked yet. Others are kept as they
+// came.
 bool keep_image(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
                 int size, void*) {
     if (image->bufferView < 0 && size > 0) image->image.assign(bytes, bytes + size);

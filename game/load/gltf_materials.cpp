@@ -154,7 +154,8 @@ Result<world::Material> read_material(const tinygltf::Material& from, TextureSet
     return material;
 }
 
-// glTF's own default is a white metal, which shows black in a night scene: unpainted plaster is what is meant.
+// glTF's own default is a white metal, which shows black in a night scene: unpainted plaster is what is
+// meant.
 world::Material unpainted() {
     world::Material material;
     material.name = "(none)";

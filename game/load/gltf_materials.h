@@ -1,7 +1,7 @@
 // load/gltf_materials.h - glTF materials with the extensions world/level.h names, and where their uvs go.
 //
-// Bad input  factors outside their range are clamped to it; textures that do not exist or cannot be decoded give
-//            a sentence.
+// Bad input  factors outside their range are clamped to it; textures that do not exist or cannot be decoded
+//            give a sentence.
 #pragma once
 
 #include "base/result.h"

@@ -1,4 +1,5 @@
-// load/gltf_meshes.h - glTF meshes as the Level's: the primitives of one merged, once for every node that uses it.
+// load/gltf_meshes.h - glTF meshes as the Level's: the primitives of one merged, once for every node that
+// uses it.
 //
 // A mesh of glass and something else becomes two, because glass lets sight through and the rest does not, and
 // who meets what is decided for a whole part. A room's shell stays whole: only then can it be proved closed.

@@ -1,7 +1,8 @@
 // load/gltf_primitive.h - one primitive of a glTF mesh as checked triangles with all the attributes we keep.
 //
-// Bad input  attributes of unequal length, indices beyond the vertices, numbers that are not finite: a sentence.
-//            Points and lines have no triangles. Missing normals are those of the triangles, as glTF asks.
+// Bad input  attributes of unequal length, indices beyond the vertices, numbers that are not finite: a
+//            sentence. Points and lines have no triangles. Missing normals are those of the triangles, as
+//            glTF asks.
 #pragma once
 
 #include "base/result.h"

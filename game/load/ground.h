@@ -1,5 +1,5 @@
-// load/ground.h - what guards walk on: everything solid that does not move, as one set of world triangles, and
-// the places from which walking has to be possible.
+// load/ground.h - what guards walk on: everything solid that does not move, as one set of world triangles,
+// and the places from which walking has to be possible.
 //
 // Left out  doors (guards open them), guards, stones and lenses. Mirrors stand where they rest.
 // Same bits the hash depends on the level's geometry and places only.

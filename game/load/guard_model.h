@@ -17,8 +17,8 @@ namespace gh::load {
 // The model below node `root`; its mesh is added to the build's.
 [[nodiscard]] Result<world::Model> read_guard_model(LevelBuild& build, std::uint32_t root);
 
-// The file's animations as far as they move these joints (node_of_joint[i] is joint i's node), starting at 0 s.
-// `keys_left` is what may still be read, and is lowered by what was.
+// The file's animations as far as they move these joints (node_of_joint[i] is joint i's node), starting at 0
+// s. `keys_left` is what may still be read, and is lowered by what was.
 [[nodiscard]] Result<std::vector<world::Clip>> read_clips(const tinygltf::Model& model,
                                                           const std::vector<std::uint32_t>& node_of_joint,
                                                           std::size_t& keys_left);

@@ -1,5 +1,5 @@
-// load/level_build.h - a Level in the making: the parsed file, the tree of its nodes with what each one is, and
-// what has been read so far. The build_*.cpp files each turn one kind of node into nouns of the Level.
+// load/level_build.h - a Level in the making: the parsed file, the tree of its nodes with what each one is,
+// and what has been read so far. The build_*.cpp files each turn one kind of node into nouns of the Level.
 #pragma once
 
 #include "base/result.h"

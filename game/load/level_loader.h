@@ -1,12 +1,13 @@
-// load/level_loader.h - a glTF file becomes a Level: geometry, materials, lamps, and what its extras say of doors,
-// mirrors, guards and goals (assets/README.md). A file without extras becomes a level too: a place to stand is
-// found in it, its emissive panels light it or else a sun does, and there is nothing to steal.
+// load/level_loader.h - a glTF file becomes a Level: geometry, materials, lamps, and what its extras say of
+// doors, mirrors, guards and goals (assets/README.md). A file without extras becomes a level too: a place to
+// stand is found in it, its emissive panels light it or else a sun does, and there is nothing to steal.
 //
 // Cost      about a second for a million triangles; memory bounded by the limits in load/limits.h.
 // Threads   any number at once on different files; nothing is shared.
 // Same bits everything the simulation reads is computed without the C library's elementary functions.
 // Bad input truncated, damaged, oversized or contradictory files give one sentence that names file, item and
-//           reason. What comes back has passed check_ranges (level_check.h), so nobody behind it checks again.
+//           reason. What comes back has passed check_ranges (level_check.h), so nobody behind it checks
+//           again.
 #pragma once
 
 #include "base/result.h"

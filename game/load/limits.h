@@ -1,5 +1,5 @@
-// load/limits.h - how large a level may be. A small damaged file can claim anything; what would need more than
-// this is refused with a sentence before anything is allocated for it.
+// load/limits.h - how large a level may be. A small damaged file can claim anything; what would need more
+// than this is refused with a sentence before anything is allocated for it.
 #pragma once
 
 #include <cstddef>

@@ -18,8 +18,8 @@
 
 namespace gh::load {
 
-// A tile for dtNavMesh::init. Polygons nobody can get to from one of the ground's places have no flags, so that
-// the hollow inside of a column is not taken for a floor. Empty when there is nothing to walk on.
+// A tile for dtNavMesh::init. Polygons nobody can get to from one of the ground's places have no flags, so
+// that the hollow inside of a column is not taken for a floor. Empty when there is nothing to walk on.
 [[nodiscard]] Result<std::vector<std::byte>> bake_navmesh(const Ground& ground);
 
 // levels/foyer.glb -> levels/foyer.navmesh

@@ -43,7 +43,8 @@ struct Pose {
 };
 [[nodiscard]] Pose pose_of(const glm::dmat4& world_from_node);
 
-// The direction of a node's own -Z as a heading: 0 faces world -z, positive turns left. And its pitch, up positive.
+// The direction of a node's own -Z as a heading: 0 faces world -z, positive turns left. And its pitch, up
+// positive.
 [[nodiscard]] float yaw_of(const glm::dmat4& world_from_node);
 [[nodiscard]] float pitch_of(const glm::dmat4& world_from_node);
 

@@ -1,8 +1,8 @@
 // load/open_edges.h - is a mesh closed? Light, sound and stones stay in a room only if its shell has no hole.
 //
 // Corners at the same position are one corner, whatever their normals and uvs. An edge is open when only one
-// triangle has it: at a hole, and where a corner of one side lies within an edge of the other (a T-joint), which
-// leaks too.
+// triangle has it: at a hole, and where a corner of one side lies within an edge of the other (a T-joint),
+// which leaks too.
 #pragma once
 
 #include "world/level.h"

@@ -19,7 +19,8 @@ struct Triangles {
     std::vector<std::uint32_t> materials;  // one a triangle
 };
 
-// The part's triangles of which `wanted(material)` holds, in its mover's frame (the world's when nothing moves it).
+// The part's triangles of which `wanted(material)` holds, in its mover's frame (the world's when nothing
+// moves it).
 [[nodiscard]] Triangles part_triangles(const world::Mesh& mesh, const glm::mat4x3& mover_from_part,
                                        const std::function<bool(std::uint32_t material)>& wanted);
 

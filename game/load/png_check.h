@@ -1,7 +1,7 @@
 // load/png_check.h - whether a PNG's chunks are whole, by their check sums.
 //
-// The decoder behind us prints its complaints on stderr; what is damaged on the way is found here, in silence,
-// and named.
+// The decoder behind us prints its complaints on stderr; what is damaged on the way is found here, in
+// silence, and named.
 #pragma once
 
 #include <cstddef>

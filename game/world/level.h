@@ -82,7 +82,7 @@ struct Mesh {
     std::vector<glm::vec4> tangents;  // w: handedness
     std::vector<glm::uvec3> triangles;
     std::vector<std::uint32_t> materials;  // one a triangle
-    std::vector<glm::u16vec4> joints;      // of Level::skins of the part that wears this mesh
+    std::vector<glm::u16vec4> joints;      // of the Model that wears this mesh
     std::vector<glm::vec4> weights;        // sum to 1
 };
 
@@ -145,7 +145,7 @@ struct Mirror {
     glm::vec3 axis{0.0f, 1.0f, 0.0f};
     float turn_step = 0.0f;       // radians a use
     glm::vec3 pane_centre{0.0f};  // in the mirror's frame (origin pivot, axes world_from_rest)
-    glm::vec3 pane_half_u{0.0f};
+    glm::vec3 pane_half_u{0.0f};  // cross(half_u, half_v) points out of the reflecting side
     glm::vec3 pane_half_v{0.0f};
     glm::vec3 reflectance{0.9f};
     std::uint32_t pane_part = kNoIndex;
