@@ -132,8 +132,8 @@ TEST(BrokenLevel, SurvivesTruncationThatItsHeaderDoesNotBetray) {
     }
 }
 
-// Some flips make another valid level, the rest a sentence; which is which does not matter here, only that there
-// is nothing else. Under the sanitizers this is the test that counts.
+// Some flips make another valid level, the rest a sentence; which is which does not matter here, only that
+// there is nothing else. Under the sanitizers this is the test that counts.
 TEST(BrokenLevel, SurvivesThousandsOfFlippedBits) {
     const Bytes whole = tiny_level_glb();
     ::test::Random random(20'240'617);

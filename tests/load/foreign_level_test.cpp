@@ -35,7 +35,8 @@ std::string base64(const std::vector<float>& values) {
     return text;
 }
 
-// A floor of 20 x 20 m as a .gltf with everything inside it: two triangles, no normals, a JPEG, uvs at half scale.
+// A floor of 20 x 20 m as a .gltf with everything inside it: two triangles, no normals, a JPEG, uvs at half
+// scale.
 std::string floor_gltf() {
     const std::vector<float> p{-10, 0, -10, -10, 0, 10, 10, 0, 10, -10, 0, -10, 10, 0, 10, 10, 0, -10};
     const std::vector<float> uv{0, 0, 0, 1, 1, 1, 0, 0, 1, 1, 1, 0};
@@ -88,7 +89,8 @@ TEST(ForeignLevel, GetsASunAndAPlaceToStand) {
     EXPECT_TRUE(level->guards.empty());
 }
 
-// Without its spawn, the tiny level's player must still begin on its floor, under its roof, clear of its walls.
+// Without its spawn, the tiny level's player must still begin on its floor, under its roof, clear of its
+// walls.
 TEST(ForeignLevel, BeginsIndoorsAndClearOfTheWalls) {
     const Result<world::Level> level =
         test::load_quickly(test::with(test::tiny_level_glb(), "\"kind\":\"spawn\"", "\"kino\":\"spawn\""));

@@ -70,7 +70,8 @@ TEST(OpenEdges, AreNoneInAClosedShellAndFourAroundAMissingSide) {
 }
 
 TEST(OpenEdges, ShowTJoints) {
-    // A square of two triangles above, of three below: their common side has a corner in its middle on one side only.
+    // A square of two triangles above, of three below: their common side has a corner in its middle on one
+    // side only.
     world::Mesh mesh;
     mesh.positions = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}, {1, 0, 0}};
     mesh.triangles = {{0, 1, 2}, {0, 3, 4}, {4, 3, 1}};
