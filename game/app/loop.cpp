@@ -62,7 +62,7 @@ Loop::Loop(Session& session, present::Window& window, std::string level_name,
         sound_ = *std::move(sound);
         sound_->set_volume(settings_.volume);
     } else {
-        std::cerr << "glasshouse: " << sound.error().sentence << "; playing in silence\n";
+        std::cerr << "glasshouse: " << sound.error().sentence << '\n';
     }
     const world::PlayerState& player = session_.simulation->state().player;
     devices_.look_along(player.yaw, player.pitch);

@@ -29,11 +29,11 @@ constexpr std::array kControls = {
 };
 
 bool wide_button(const char* label) {
-    return ImGui::Button(label, ImVec2(260.0f, 0.0f));
+    return ImGui::Button(label, ImVec2(ImGui::GetFontSize() * 16.0f, 0.0f));
 }
 
 void draw_settings(MenuSettings& settings) {
-    ImGui::PushItemWidth(190.0f);
+    ImGui::PushItemWidth(ImGui::GetFontSize() * 10.0f);
     ImGui::SliderFloat("mouse sensitivity", &settings.mouse_sensitivity, 0.1f, 4.0f, "%.2f");
     ImGui::SliderFloat("volume", &settings.volume, 0.0f, 1.0f, "%.2f");
     ImGui::SliderFloat("brightness", &settings.brightness, -2.0f, 2.0f, "%+.1f stops");
@@ -47,7 +47,7 @@ void draw_settings(MenuSettings& settings) {
 }  // namespace
 
 void draw_controls() {
-    if (!ImGui::BeginTable("controls", 2)) return;
+    if (!ImGui::BeginTable("controls", 2, ImGuiTableFlags_SizingFixedFit)) return;
     for (const Control& control : kControls) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
@@ -69,18 +69,18 @@ MenuAction draw_pause_menu(MenuSettings& settings, const std::string& note) {
     ImGui::PushFont(heading_font());
     ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kBrass), "Glasshouse");
     ImGui::PopFont();
-    ImGui::Columns(2, nullptr, false);
-    ImGui::SetColumnWidth(0, 300.0f);
-    ImGui::SetColumnWidth(1, 440.0f);
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    if (wide_button("Resume")) action = MenuAction::Resume;
-    if (wide_button("Restart the level")) action = MenuAction::RestartLevel;
-    if (wide_button("Quit")) action = MenuAction::Quit;
-    ImGui::Dummy(ImVec2(0.0f, 8.0f));
-    draw_controls();
-    ImGui::NextColumn();
-    draw_settings(settings);
-    ImGui::Columns(1);
+    if (ImGui::BeginTable("halves", 2, ImGuiTableFlags_SizingFixedFit)) {
+        ImGui::TableNextColumn();
+        if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+        if (wide_button("Resume")) action = MenuAction::Resume;
+        if (wide_button("Restart the level")) action = MenuAction::RestartLevel;
+        if (wide_button("Quit")) action = MenuAction::Quit;
+        ImGui::Dummy(ImVec2(0.0f, ImGui::GetFontSize() * 0.5f));
+        draw_controls();
+        ImGui::TableNextColumn();
+        draw_settings(settings);
+        ImGui::EndTable();
+    }
     if (!note.empty()) ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kDim), "%s", note.c_str());
     ImGui::End();
     return action;

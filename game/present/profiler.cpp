@@ -13,7 +13,7 @@ void rows(const char* title, float total_ms, const std::vector<ProfileRow>& list
                        static_cast<double>(total_ms));
     for (const ProfileRow& row : list) {
         const float share = total_ms > 0.0f ? row.ms / total_ms : 0.0f;
-        ImGui::ProgressBar(share, ImVec2(70.0f, 10.0f), "");
+        ImGui::ProgressBar(share, ImVec2(ImGui::GetFontSize() * 4.0f, ImGui::GetFontSize() * 0.7f), "");
         ImGui::SameLine();
         ImGui::Text("%7.3f  %s", static_cast<double>(row.ms), row.name.c_str());
     }
@@ -24,6 +24,7 @@ void rows(const char* title, float total_ms, const std::vector<ProfileRow>& list
 void draw_profiler(const ProfileModel& model) {
     ImGui::SetNextWindowPos(ImVec2(14.0f, 14.0f), ImGuiCond_Always);
     ImGui::SetNextWindowBgAlpha(0.78f);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8.0f, 2.0f));
     ImGui::Begin("profiler", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
@@ -31,7 +32,8 @@ void draw_profiler(const ProfileModel& model) {
     ImGui::TextUnformatted(model.machine.c_str());
     if (!model.frame_history_ms.empty()) {
         ImGui::PlotLines("", model.frame_history_ms.data(), static_cast<int>(model.frame_history_ms.size()),
-                         0, nullptr, 0.0f, 100.0f, ImVec2(250.0f, 44.0f));
+                         0, nullptr, 0.0f, 100.0f,
+                         ImVec2(ImGui::GetFontSize() * 14.0f, ImGui::GetFontSize() * 2.0f));
     }
     rows("frame", model.frame_ms, model.frame_rooms);
     rows("tick", model.tick_ms, model.tick_rooms);
@@ -40,6 +42,7 @@ void draw_profiler(const ProfileModel& model) {
         ImGui::Text("%9llu  %s", static_cast<unsigned long long>(rays.count), rays.layer.c_str());
     }
     ImGui::End();
+    ImGui::PopStyleVar();
 }
 
 }  // namespace gh::present

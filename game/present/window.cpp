@@ -182,6 +182,9 @@ void Window::begin_frame(const Image8& picture) {
     }
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    // Menus are laid out for 720 lines; a smaller window gets them smaller rather than cut off.
+    ImGuiIO& io = ImGui::GetIO();
+    io.FontGlobalScale = std::clamp(io.DisplaySize.y / 720.0f, 0.5f, 1.5f);
     ImGui::NewFrame();
 }
 

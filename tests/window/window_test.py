@@ -49,6 +49,12 @@ class Desk:
     def xdotool(self, *words):
         return subprocess.run(["xdotool", *words], env=self.env, capture_output=True, text=True)
 
+    def hold(self, key, seconds):
+        """A press that lasts longer than one slow frame."""
+        self.xdotool("keydown", key)
+        time.sleep(seconds)
+        self.xdotool("keyup", key)
+
     def wait_for_window(self):
         deadline = time.monotonic() + TIMEOUT_S
         while time.monotonic() < deadline:
@@ -145,11 +151,14 @@ def play_through(glasshouse, out):
         desk.xdotool("key", "Escape")
         time.sleep(1.0)
 
-        desk.xdotool("windowquit", desk.window)
+        for key in ("Down", "Down", "space"):  # Resume, Restart, Quit
+            desk.hold(key, 0.4)
+            time.sleep(0.4)
         try:
             code = desk.game.wait(TIMEOUT_S)
         except subprocess.TimeoutExpired:
-            fail("the window does not close")
+            desk.screenshot("8_still_open")
+            fail("the menu's Quit does not end the game")
         if code != 0:
             fail(f"the game ended with {code}: {desk.game.stderr.read()}")
     finally:
