@@ -12,7 +12,10 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <thread>
+#include <utility>
 #include <vector>
 
 namespace gh::spatial {
@@ -206,6 +209,44 @@ TEST(Stage, StonesAndLensesVanishWhenTheyAreGone) {
     EXPECT_TRUE(meets(at_stone));
     state.lens_taken[0] = 1;
     EXPECT_FALSE(meets(at_lens));
+}
+
+// The renderer draws one tick, on its own thread, while the next is committed, and lets go of it when it likes.
+TEST(Stage, ATickMayBeReadAndDroppedWhileTheNextIsMade) {
+    const auto level = gallery();
+    std::vector<std::uint64_t> expected;
+    {
+        Stage alone(level);
+        for (std::uint32_t tick = 0; tick < 24; ++tick)
+            expected.push_back(answers(alone.commit(moment(*level, tick))));
+    }
+    Stage stage(level);
+    std::mutex mutex;
+    std::shared_ptr<const world::Snapshot> latest;
+    bool is_over = false;
+    int drawn = 0, wrong = 0;
+    std::thread renderer([&] {
+        for (bool goes_on = true; goes_on;) {
+            std::shared_ptr<const world::Snapshot> mine;
+            {
+                const std::lock_guard lock(mutex);
+                mine = latest;
+                goes_on = !is_over;
+            }
+            if (!mine) continue;
+            ++drawn;
+            wrong += answers(*mine) != expected[mine->state.tick];
+        }
+    });
+    for (std::uint32_t tick = 0; tick < 24; ++tick) {
+        auto now = std::make_shared<const world::Snapshot>(stage.commit(moment(*level, tick)));
+        const std::lock_guard lock(mutex);
+        latest = std::move(now);
+        is_over = tick == 23;
+    }
+    renderer.join();
+    EXPECT_GT(drawn, 0);
+    EXPECT_EQ(wrong, 0);
 }
 
 TEST(Wardrobe, BodiesNobodyLooksAtAreWornAgain) {

@@ -37,12 +37,14 @@ void bench_frames(const std::shared_ptr<const world::Level>& level, int threads,
         for (std::size_t i = 0; i < count; ++i) {
             const world::Viewpoint& viewpoint = level->viewpoints[i * level->viewpoints.size() / count];
             render::Film film(width, height);
+            const double core_start = cpu_ms();
             const Samples samples = measure(clock_ms, rounds, 1, [&](int) {
                 render::render_whitted({*level, now, prepared}, render::camera_from(viewpoint), {}, 0, jobs,
                                        film);
             });
             print_row(viewpoint.name, samples, picture_hash(film.radiance));
-            std::printf("  (%.2f M rays, %.1f a pixel)\n", static_cast<double>(film.stats.total()) * 1e-6,
+            std::printf("  (core time %.1f ms a frame; %.2f M rays, %.1f a pixel)\n",
+                        (cpu_ms() - core_start) / rounds, static_cast<double>(film.stats.total()) * 1e-6,
                         static_cast<double>(film.stats.total()) / (width * height));
         }
     }
