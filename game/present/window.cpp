@@ -93,6 +93,7 @@ Result<Window> Window::open(const WindowOptions& options) {
     data->has_ui = true;
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
+    io.KeyRepeatDelay = 0.8f;  // a press that lasts a few slow frames is still one press
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     const Fonts fonts = load_fonts(std::max(scale, 1.0f));
     apply_theme(fonts);
