@@ -1,8 +1,8 @@
 // A lamp over a table, and how much of the table it reaches: the whole of raycore in forty lines.
+#include <raycore/query.h>
+
 #include <array>
 #include <cstdio>
-
-#include <raycore/query.h>
 
 int main() {
     // A tabletop of two triangles, and a plate hanging over it: the same mesh, placed twice.
@@ -22,7 +22,8 @@ int main() {
     for (int row = 0; row < 20; ++row) {
         for (int column = 0; column < 40; ++column) {
             const glm::vec3 from(3.0f, 2.5f, 3.0f);
-            const glm::vec3 to(static_cast<float>(column) / 20.0f - 0.975f, 0.0f, static_cast<float>(row) / 10.0f - 0.95f);
+            const glm::vec3 to(static_cast<float>(column) / 20.0f - 0.975f, 0.0f,
+                               static_cast<float>(row) / 10.0f - 0.95f);
             const rc::Ray ray{.origin = from, .direction = to - from};
             const auto hit = rc::closest_hit(*scene, ray, rc::kAllLayers);
             if (!hit || hit->instance != table_id) {
@@ -30,7 +31,8 @@ int main() {
                 continue;
             }
             ++seen;
-            const bool dark = rc::any_hit(*scene, rc::spawn_ray_to(scene->surface(*hit), lamp), rc::kAllLayers);
+            const bool dark =
+                rc::any_hit(*scene, rc::spawn_ray_to(scene->surface(*hit), lamp), rc::kAllLayers);
             std::putchar(dark ? '.' : '#');
             lit += !dark;
         }

@@ -1,86 +1,120 @@
 #include "binned_builder.h"
 
-#include <algorithm>
-#include <bit>
-#include <limits>
+#include "kernels/kernel_abi.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 #include <tbb/task_group.h>
 
-#include "kernels/kernel_abi.h"
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <limits>
 
 namespace rc {
 
 namespace {
 
-constexpr int kBins = 16;
-constexpr std::size_t kParallelSubtree = 4096;   // below it a task costs more than it gains
+constexpr int kMaxBins = 16;
+constexpr std::size_t kParallelSubtree = 4096;  // below it a task costs more than it gains
 constexpr std::size_t kParallelBinning = 65536;
 constexpr float kHuge = std::numeric_limits<float>::max();
 
-struct Bounds {
-    float min[3] = {kHuge, kHuge, kHuge};
-    float max[3] = {-kHuge, -kHuge, -kHuge};
+// Three axes and a lane that means nothing, in the compiler's own vectors: four floats are in every ISA.
+typedef float Quad __attribute__((vector_size(16)));
+typedef std::int32_t QuadBits __attribute__((vector_size(16)));
 
-    void grow(const float low[3], const float high[3]) {
-        for (int a = 0; a < 3; ++a) {
-            min[a] = low[a] < min[a] ? low[a] : min[a];
-            max[a] = high[a] > max[a] ? high[a] : max[a];
-        }
+Quad min_of(Quad a, Quad b) {
+    return a < b ? a : b;
+}
+Quad max_of(Quad a, Quad b) {
+    return a > b ? a : b;
+}
+Quad quad_of(float a) {
+    return Quad{a, a, a, a};
+}
+
+// The lane behind the axes holds an integer; read as a float it may be denormal, which makes arithmetic slow.
+Quad load(const float* p) {
+    QuadBits bits;
+    std::memcpy(&bits, p, sizeof(bits));
+    return reinterpret_cast<Quad>(bits & QuadBits{-1, -1, -1, 0});
+}
+
+struct Bounds {
+    Quad min = quad_of(kHuge);
+    Quad max = quad_of(-kHuge);
+
+    void grow(Quad low, Quad high) {
+        min = min_of(low, min);
+        max = max_of(high, max);
     }
+    void grow(const Bounds& other) { grow(other.min, other.max); }
 };
 
+float half_area(const Bounds& b) {
+    const Quad d = b.max - b.min;
+    return (d[0] * d[1] + d[1] * d[2]) + d[2] * d[0];
+}
+
 // Twice the centre: no rounding but one, and only its order matters.
-float centre(const BuildRef& ref, int axis) { return ref.min[axis] + ref.max[axis]; }
+Quad centre(const BuildRef& ref) {
+    return load(ref.min) + load(ref.max);
+}
 
 struct RangeBounds {
     Bounds boxes;
     Bounds centres;
 
     void add(const BuildRef& ref) {
-        boxes.grow(ref.min, ref.max);
-        const float c[3] = {centre(ref, 0), centre(ref, 1), centre(ref, 2)};
-        centres.grow(c, c);
+        const Quad low = load(ref.min), high = load(ref.max);
+        boxes.grow(low, high);
+        centres.grow(low + high, low + high);
     }
     void add(const RangeBounds& other) {
-        boxes.grow(other.boxes.min, other.boxes.max);
-        centres.grow(other.centres.min, other.centres.max);
+        boxes.grow(other.boxes);
+        centres.grow(other.centres);
     }
 };
 
+// Few things need few bins: most ranges are small, and their bins are most of a build.
 struct Binning {
-    float origin[3];
-    float scale[3];  // 0 where all centres agree
+    int count;
+    Quad origin;
+    Quad scale;  // 0 where all centres agree
 
-    explicit Binning(const Bounds& centres) {
-        for (int a = 0; a < 3; ++a) {
-            const float extent = centres.max[a] - centres.min[a];
-            origin[a] = centres.min[a];
-            scale[a] = extent > 0.0f ? float(kBins) * 0.9999f / extent : 0.0f;
-            if (!(scale[a] < kHuge)) scale[a] = 0.0f;
-        }
+    Binning(const Bounds& centres, std::size_t n)
+        : count(static_cast<int>(std::min<std::size_t>(kMaxBins, 4 + n / 8))), origin(centres.min) {
+        const Quad extent = centres.max - centres.min;
+        const Quad raw = quad_of(float(count) * 0.9999f) / extent;
+        scale = ((extent > quad_of(0.0f)) & (raw < quad_of(kHuge))) ? raw : quad_of(0.0f);
     }
-    int bin(const BuildRef& ref, int axis) const {
-        return std::min(static_cast<int>((centre(ref, axis) - origin[axis]) * scale[axis]), kBins - 1);
+    QuadBits bins(Quad c) const {
+        const QuadBits b = __builtin_convertvector((c - origin) * scale, QuadBits);
+        const QuadBits last = {count - 1, count - 1, count - 1, count - 1};
+        return b < last ? b : last;
     }
 };
 
 struct Bins {
-    Bounds bounds[3][kBins];
-    std::uint32_t count[3][kBins] = {};
+    int used = 0;
+    Bounds bounds[3][kMaxBins];
+    std::uint32_t count[3][kMaxBins] = {};
 
     void add(const BuildRef& ref, const Binning& binning) {
+        const Quad low = load(ref.min), high = load(ref.max);
+        const QuadBits at = binning.bins(low + high);
+        used = binning.count;
         for (int a = 0; a < 3; ++a) {
-            const int b = binning.bin(ref, a);
-            bounds[a][b].grow(ref.min, ref.max);
-            ++count[a][b];
+            bounds[a][at[a]].grow(low, high);
+            ++count[a][at[a]];
         }
     }
     void add(const Bins& other) {
+        used = std::max(used, other.used);
         for (int a = 0; a < 3; ++a) {
-            for (int b = 0; b < kBins; ++b) {
-                bounds[a][b].grow(other.bounds[a][b].min, other.bounds[a][b].max);
+            for (int b = 0; b < kMaxBins; ++b) {
+                bounds[a][b].grow(other.bounds[a][b]);
                 count[a][b] += other.count[a][b];
             }
         }
@@ -113,18 +147,18 @@ struct Split {
 Split best_split(const Bins& bins) {
     Split best;
     for (int a = 0; a < 3; ++a) {
-        float right_cost[kBins];
+        float right_cost[kMaxBins];
         Bounds right;
         std::uint32_t n = 0;
-        for (int b = kBins - 1; b > 0; --b) {
-            right.grow(bins.bounds[a][b].min, bins.bounds[a][b].max);
+        for (int b = bins.used - 1; b > 0; --b) {
+            right.grow(bins.bounds[a][b]);
             n += bins.count[a][b];
             right_cost[b] = n > 0 ? half_area(right) * float(n) : -1.0f;
         }
         Bounds left;
         n = 0;
-        for (int b = 1; b < kBins; ++b) {
-            left.grow(bins.bounds[a][b - 1].min, bins.bounds[a][b - 1].max);
+        for (int b = 1; b < bins.used; ++b) {
+            left.grow(bins.bounds[a][b - 1]);
             n += bins.count[a][b - 1];
             if (n == 0 || right_cost[b] < 0.0f) continue;
             const float cost = half_area(left) * float(n) + right_cost[b];
@@ -134,7 +168,9 @@ Split best_split(const Bins& bins) {
     return best;
 }
 
-int ceil_log2(std::size_t n) { return static_cast<int>(std::bit_width(n - 1)); }
+int ceil_log2(std::size_t n) {
+    return static_cast<int>(std::bit_width(n - 1));
+}
 
 class Builder {
   public:
@@ -144,8 +180,8 @@ class Builder {
     void build(std::size_t begin, std::size_t end, std::size_t at, int depth, const RangeBounds& bounds) {
         const std::size_t n = end - begin;
         BinaryNode& node = nodes_[at];
-        std::copy_n(bounds.boxes.min, 3, node.min);
-        std::copy_n(bounds.boxes.max, 3, node.max);
+        std::memcpy(node.min, &bounds.boxes.min, sizeof(node.min));
+        std::memcpy(node.max, &bounds.boxes.max, sizeof(node.max));
         node.first = static_cast<std::uint32_t>(begin);
         node.count = static_cast<std::uint32_t>(n);
         if (n == 1) return;
@@ -171,11 +207,11 @@ class Builder {
 
   private:
     // Where the range is cut in two, or its end when it is best left as a leaf.
-    std::size_t cut(std::size_t begin, std::size_t end, int depth, const RangeBounds& bounds, RangeBounds& left,
-                    RangeBounds& right) {
+    std::size_t cut(std::size_t begin, std::size_t end, int depth, const RangeBounds& bounds,
+                    RangeBounds& left, RangeBounds& right) {
         const std::size_t n = end - begin;
         const std::span<BuildRef> range = refs_.subspan(begin, n);
-        const Binning binning(bounds.centres);
+        const Binning binning(bounds.centres, n);
         const Bins bins = sum_over<Bins>(range, [&](Bins& b, const BuildRef& ref) { b.add(ref, binning); });
         const Split split = best_split(bins);
 
@@ -198,10 +234,13 @@ class Builder {
 
     std::size_t partition(std::size_t begin, std::size_t end, const Binning& binning, const Split& split,
                           RangeBounds& left, RangeBounds& right) {
+        const auto is_left = [&](const BuildRef& ref) {
+            return binning.bins(centre(ref))[split.axis] < split.bin;
+        };
         std::size_t i = begin, j = end;
         for (;;) {
-            for (; i < j && binning.bin(refs_[i], split.axis) < split.bin; ++i) left.add(refs_[i]);
-            for (; i < j && binning.bin(refs_[j - 1], split.axis) >= split.bin; --j) right.add(refs_[j - 1]);
+            for (; i < j && is_left(refs_[i]); ++i) left.add(refs_[i]);
+            for (; i < j && !is_left(refs_[j - 1]); --j) right.add(refs_[j - 1]);
             if (i == j) return i;
             std::swap(refs_[i], refs_[j - 1]);
         }
@@ -215,7 +254,7 @@ class Builder {
         const auto at = [&](std::size_t i) { return refs_.begin() + static_cast<std::ptrdiff_t>(i); };
         const std::size_t middle = begin + (end - begin) / 2;
         std::nth_element(at(begin), at(middle), at(end), [&](const BuildRef& a, const BuildRef& b) {
-            const float ca = centre(a, axis), cb = centre(b, axis);
+            const float ca = centre(a)[axis], cb = centre(b)[axis];
             return ca != cb ? ca < cb : a.item < b.item;
         });
         return middle;

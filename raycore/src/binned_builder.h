@@ -34,9 +34,9 @@ static_assert(sizeof(BinaryNode) == 32);
 
 struct SplitCosts {
     std::uint32_t max_leaf = 8;
-    float step = 1.0f;      // of a binary node
-    float leaf = 1.0f;      // of a leaf whatever it holds
-    float item = 0.3f;      // of each thing in it
+    float step = 0.5f;  // of a binary node
+    float leaf = 1.0f;  // of a leaf whatever it holds
+    float item = 0.3f;  // of each thing in it
 };
 
 // Half the surface, which is what costs are proportional to.
@@ -47,6 +47,7 @@ template <class Bounded>
 }
 
 // Reorders `refs` so that every leaf is a range of them. Node 0 is the root; refs must not be empty.
-[[nodiscard]] std::unique_ptr<BinaryNode[]> build_binary_tree(std::span<BuildRef> refs, const SplitCosts& costs);
+[[nodiscard]] std::unique_ptr<BinaryNode[]> build_binary_tree(std::span<BuildRef> refs,
+                                                              const SplitCosts& costs);
 
 }  // namespace rc

@@ -1,14 +1,14 @@
 #include "raycore/blas.h"
 
-#include <algorithm>
-#include <bit>
-#include <utility>
-
 #include "binned_builder.h"
 #include "collapse.h"
 #include "contract.h"
 #include "fit.h"
 #include "triangle_check.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
 
 namespace rc {
 
@@ -22,14 +22,22 @@ std::vector<BuildRef> collect_refs(const MeshView& mesh, MeshReport& report) {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const glm::uvec3& t = mesh.triangles[i];
         switch (fault_of(mesh.positions, t)) {
-            case TriangleFault::None: break;
-            case TriangleFault::IndexOutOfRange: ++report.index_out_of_range; continue;
-            case TriangleFault::NotFinite: ++report.not_finite; continue;
-            case TriangleFault::ZeroArea: ++report.zero_area; continue;
+            case TriangleFault::None:
+                break;
+            case TriangleFault::IndexOutOfRange:
+                ++report.index_out_of_range;
+                continue;
+            case TriangleFault::NotFinite:
+                ++report.not_finite;
+                continue;
+            case TriangleFault::ZeroArea:
+                ++report.zero_area;
+                continue;
         }
         const glm::vec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];
         BuildRef& ref = refs.emplace_back();
-        for (std::size_t k = 0; k < 3; ++k) {  // adding +0 leaves one zero, whatever order minima are taken in
+        for (std::size_t k = 0; k < 3;
+             ++k) {  // adding +0 leaves one zero, whatever order minima are taken in
             ref.min[k] = std::min(a[k], std::min(b[k], c[k])) + 0.0f;
             ref.max[k] = std::max(a[k], std::max(b[k], c[k])) + 0.0f;
         }
@@ -42,7 +50,8 @@ std::vector<BuildRef> collect_refs(const MeshView& mesh, MeshReport& report) {
 void name_primitives(Blas::Data& blas, std::span<const BuildRef> refs, std::uint32_t item) {
     if (item & kernel::kLeafBit) {
         const LeafRange leaf = leaf_range(item);
-        float* row = blas.leaves.data() + std::size_t{leaf.first} * kernel::kWordsPerTriangle + 9 * leaf.count;
+        float* row =
+            blas.leaves.data() + std::size_t{leaf.first} * kernel::kWordsPerTriangle + 9 * leaf.count;
         for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
             const std::uint32_t primitive = refs[leaf.first + lane].item;
             row[lane] = std::bit_cast<float>(primitive);
@@ -63,9 +72,15 @@ Blas::Blas(Blas&&) noexcept = default;
 Blas& Blas::operator=(Blas&&) noexcept = default;
 Blas::~Blas() = default;
 
-const MeshReport& Blas::report() const { return data_->report; }
-Box Blas::bounds() const { return data_->bounds; }
-float Blas::sah_cost() const { return data_->cost; }
+const MeshReport& Blas::report() const {
+    return data_->report;
+}
+Box Blas::bounds() const {
+    return data_->bounds;
+}
+float Blas::sah_cost() const {
+    return data_->cost;
+}
 
 std::size_t Blas::byte_size() const {
     const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };

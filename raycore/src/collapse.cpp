@@ -1,8 +1,8 @@
 #include "collapse.h"
 
-#include <limits>
-
 #include "data.h"
+
+#include <limits>
 
 namespace rc {
 
@@ -25,6 +25,7 @@ class Collapse {
 
     WideTree run() {
         tree_.root = binary_[0].is_leaf() ? leaves_.code(binary_[0]) : open(0).item;
+        tree_.nodes.shrink_to_fit();
         return std::move(tree_);
     }
 
@@ -46,7 +47,8 @@ class Collapse {
                 continue;
             }
             const BinaryNode& child = binary_[lanes[i]];
-            const Child below = child.is_leaf() ? Child{leaves_.code(child), leaves_.word(child)} : open(lanes[i]);
+            const Child below =
+                child.is_leaf() ? Child{leaves_.code(child), leaves_.word(child)} : open(lanes[i]);
             kernel::WideNode& node = tree_.nodes[index];  // only now: opening a child may move the nodes
             for (int a = 0; a < 3; ++a) {
                 node.bounds[2 * a][i] = child.min[a];
@@ -68,7 +70,8 @@ class Collapse {
             int largest = -1;
             for (int i = 0; i < n; ++i) {
                 if (binary_[lanes[i]].is_leaf()) continue;
-                if (largest < 0 || half_area(binary_[lanes[i]]) > half_area(binary_[lanes[largest]])) largest = i;
+                if (largest < 0 || half_area(binary_[lanes[i]]) > half_area(binary_[lanes[largest]]))
+                    largest = i;
             }
             if (largest < 0) break;
             const std::uint32_t opened = lanes[largest];
@@ -115,7 +118,8 @@ WideTree collapse_blas(const BinaryNode* binary) {
     return Collapse(binary, leaves).run();
 }
 
-WideTree collapse_tlas(const BinaryNode* binary, const BuildRef* refs, const std::vector<std::uint32_t>& layers) {
+WideTree collapse_tlas(const BinaryNode* binary, const BuildRef* refs,
+                       const std::vector<std::uint32_t>& layers) {
     const TlasLeaves leaves{refs, layers};
     return Collapse(binary, leaves).run();
 }

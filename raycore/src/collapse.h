@@ -1,11 +1,11 @@
 // collapse.h - a binary tree made eight wide, in the layout the kernels walk.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "binned_builder.h"
 #include "kernels/kernel_abi.h"
+
+#include <cstdint>
+#include <vector>
 
 namespace rc {
 

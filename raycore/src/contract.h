@@ -4,12 +4,12 @@
 
 #ifdef RC_CONTRACTS
 #include <cstdio>
-#define RC_EXPECTS(condition, message)                                                     \
-    do {                                                                                   \
-        if (!(condition)) {                                                                \
+#define RC_EXPECTS(condition, message)                                                        \
+    do {                                                                                      \
+        if (!(condition)) {                                                                   \
             std::fprintf(stderr, "%s:%d: raycore expects %s\n", __FILE__, __LINE__, message); \
-            __builtin_trap();                                                              \
-        }                                                                                  \
+            __builtin_trap();                                                                 \
+        }                                                                                     \
     } while (false)
 #else
 #define RC_EXPECTS(condition, message) static_cast<void>(0)

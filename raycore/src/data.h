@@ -1,17 +1,18 @@
 // data.h - what a Blas and a Scene keep. Private to raycore; layouts the kernels read are in kernel_abi.h.
 #pragma once
 
+#include "kernels/kernel_abi.h"
+
+#include "raycore/blas.h"
+#include "raycore/scene.h"
+
+#include <glm/vec3.hpp>
+
 #include <bit>
 #include <cstdint>
 #include <cstring>
 #include <new>
 #include <vector>
-
-#include <glm/vec3.hpp>
-
-#include "kernels/kernel_abi.h"
-#include "raycore/blas.h"
-#include "raycore/scene.h"
 
 namespace rc {
 
@@ -28,8 +29,8 @@ struct Blas::Data {
     std::vector<kernel::WideNode> nodes;  // a parent stands before its children
     std::vector<float> leaves;            // triangle blocks, then kLeafPadding words
     std::uint32_t root = kernel::kEmptyTree;
-    std::vector<glm::uvec3> triangles;              // as given; refit reads them
-    std::vector<std::uint32_t> leaf_of_primitive;   // the leaf that holds it, kNone when dropped
+    std::vector<glm::uvec3> triangles;             // as given; refit reads them
+    std::vector<std::uint32_t> leaf_of_primitive;  // the leaf that holds it, kNone when dropped
     std::size_t vertex_count = 0;
     MeshReport report;
     Box bounds;
@@ -64,7 +65,8 @@ inline std::uint32_t primitive_in(const float* leaves, LeafRange leaf, std::uint
 }
 
 inline glm::vec3 corner_in(const float* leaves, LeafRange leaf, std::uint32_t lane, std::uint32_t corner) {
-    const float* row = leaves + std::size_t{leaf.first} * kernel::kWordsPerTriangle + 3 * corner * leaf.count + lane;
+    const float* row =
+        leaves + std::size_t{leaf.first} * kernel::kWordsPerTriangle + 3 * corner * leaf.count + lane;
     return {row[0], row[leaf.count], row[2 * leaf.count]};
 }
 

@@ -1,8 +1,8 @@
 #include "dispatch.h"
 
-#include <atomic>
-
 #include "raycore/isa.h"
+
+#include <atomic>
 
 namespace rc {
 
@@ -19,7 +19,9 @@ constexpr KernelsOf kIsas[] = {
     {"avx512", &kernel::kAvx512Kernels},
 };
 
-const KernelsOf& kernels_of(Isa isa) { return kIsas[static_cast<std::size_t>(isa)]; }
+const KernelsOf& kernels_of(Isa isa) {
+    return kIsas[static_cast<std::size_t>(isa)];
+}
 
 // The one mutable static of the library: which instructions this process uses.
 std::atomic<Isa>& choice() {
@@ -29,7 +31,9 @@ std::atomic<Isa>& choice() {
 
 }  // namespace
 
-std::string_view isa_name(Isa isa) { return kernels_of(isa).name; }
+std::string_view isa_name(Isa isa) {
+    return kernels_of(isa).name;
+}
 
 std::optional<Isa> isa_from_name(std::string_view name) {
     for (const Isa isa : {Isa::Scalar, Isa::Avx2, Isa::Avx512})
@@ -41,8 +45,10 @@ bool is_isa_supported(Isa isa) {
     const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
                       __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
     switch (isa) {
-        case Isa::Scalar: return true;
-        case Isa::Avx2: return avx2;
+        case Isa::Scalar:
+            return true;
+        case Isa::Avx2:
+            return avx2;
         case Isa::Avx512:
             return avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
                    __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
@@ -55,7 +61,9 @@ Isa best_isa() {
     return is_isa_supported(Isa::Avx2) ? Isa::Avx2 : Isa::Scalar;
 }
 
-Isa active_isa() { return choice().load(std::memory_order_relaxed); }
+Isa active_isa() {
+    return choice().load(std::memory_order_relaxed);
+}
 
 bool use_isa(Isa isa) {
     if (!is_isa_supported(isa)) return false;
@@ -63,6 +71,8 @@ bool use_isa(Isa isa) {
     return true;
 }
 
-const kernel::Kernels& active_kernels() { return *kernels_of(active_isa()).kernels; }
+const kernel::Kernels& active_kernels() {
+    return *kernels_of(active_isa()).kernels;
+}
 
 }  // namespace rc

@@ -1,11 +1,11 @@
 // fit.h - boxes and triangle blocks brought to where the vertices are: the last step of a build, and all of a refit.
 #pragma once
 
-#include <span>
+#include "data.h"
 
 #include <glm/vec3.hpp>
 
-#include "data.h"
+#include <span>
 
 namespace rc {
 

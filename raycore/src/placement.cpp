@@ -1,9 +1,9 @@
 #include "placement.h"
 
+#include "triangle_check.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "triangle_check.h"
 
 namespace rc {
 
@@ -11,7 +11,9 @@ namespace {
 
 constexpr double kWorstCondition = 1e7;
 
-double row_sum(double a, double b, double c) { return std::abs(a) + std::abs(b) + std::abs(c); }
+double row_sum(double a, double b, double c) {
+    return std::abs(a) + std::abs(b) + std::abs(c);
+}
 
 // rows[r] of a 3x3 matrix; the largest sum of absolute values in a row.
 double norm(const double (&rows)[3][3]) {
@@ -83,7 +85,8 @@ std::optional<Placement> place(const Instance& instance) {
         }
         p.world_box.min[r] = float(low - pad);
         p.world_box.max[r] = float(high + pad);
-        if (!(low - pad >= -double(kLargestCoordinate) && high + pad <= double(kLargestCoordinate))) return std::nullopt;
+        if (!(low - pad >= -double(kLargestCoordinate) && high + pad <= double(kLargestCoordinate)))
+            return std::nullopt;
     }
     return p;
 }

@@ -1,9 +1,9 @@
 // placement.h - an instance seen from the world, with every rounding on the way accounted for.
 #pragma once
 
-#include <optional>
-
 #include "raycore/scene.h"
+
+#include <optional>
 
 namespace rc {
 

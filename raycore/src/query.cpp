@@ -1,29 +1,38 @@
 #include "raycore/query.h"
 
-#include <cmath>
-#include <cstddef>
-
 #include "contract.h"
 #include "data.h"
 #include "dispatch.h"
+
+#include <cmath>
+#include <cstddef>
 
 namespace rc {
 
 namespace {
 
-static_assert(sizeof(kernel::RayIn) == sizeof(Ray) && offsetof(kernel::RayIn, t_min) == offsetof(Ray, t_min) &&
+static_assert(sizeof(kernel::RayIn) == sizeof(Ray) &&
+              offsetof(kernel::RayIn, t_min) == offsetof(Ray, t_min) &&
               offsetof(kernel::RayIn, skip_primitive) == offsetof(Ray, skip_primitive));
-static_assert(sizeof(kernel::HitOut) == sizeof(Hit) && offsetof(kernel::HitOut, instance) == offsetof(Hit, instance));
+static_assert(sizeof(kernel::HitOut) == sizeof(Hit) &&
+              offsetof(kernel::HitOut, instance) == offsetof(Hit, instance));
 
-const kernel::RayIn* abi(const Ray* rays) { return reinterpret_cast<const kernel::RayIn*>(rays); }
-kernel::HitOut* abi(Hit* hits) { return reinterpret_cast<kernel::HitOut*>(hits); }
+const kernel::RayIn* abi(const Ray* rays) {
+    return reinterpret_cast<const kernel::RayIn*>(rays);
+}
+kernel::HitOut* abi(Hit* hits) {
+    return reinterpret_cast<kernel::HitOut*>(hits);
+}
 
 #ifdef RC_CONTRACTS
-bool is_finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool is_finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 void expect_good(const Ray& ray) {
     RC_EXPECTS(is_finite(ray.origin), "a finite ray origin");
-    RC_EXPECTS(is_finite(ray.direction) && ray.direction != glm::vec3(0.0f), "a finite ray direction that is not zero");
+    RC_EXPECTS(is_finite(ray.direction) && ray.direction != glm::vec3(0.0f),
+               "a finite ray direction that is not zero");
     RC_EXPECTS(ray.t_min <= ray.t_max, "t_min <= t_max, neither NaN");
 }
 void expect_good(std::span<const Ray> rays) {
@@ -72,7 +81,8 @@ void closest_hits(const Scene& scene, std::span<const Ray> rays, LayerMask layer
     RC_EXPECTS(rays.size() == hits.size(), "a hit for every ray");
     expect_good(rays);
     kernel::Counts counts;
-    active_kernels().closest(scene.data().view, abi(rays.data()), rays.size(), layers, abi(hits.data()), &counts);
+    active_kernels().closest(scene.data().view, abi(rays.data()), rays.size(), layers, abi(hits.data()),
+                             &counts);
     add(counters, counts, rays.size());
 }
 
@@ -91,7 +101,8 @@ void crossings(const Scene& scene, std::span<const Segment> segments, LayerMask 
                "a count for every segment and room for its hits");
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const std::span<Hit> hits = out.subspan(i * capacity, capacity);
-        counts[i] = static_cast<std::uint32_t>(crossings(scene, segments[i].from, segments[i].to, layers, hits));
+        counts[i] =
+            static_cast<std::uint32_t>(crossings(scene, segments[i].from, segments[i].to, layers, hits));
     }
 }
 

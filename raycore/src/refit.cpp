@@ -1,12 +1,11 @@
-#include <limits>
-
-#include <glm/common.hpp>
-
-#include <tbb/parallel_for.h>
-
 #include "contract.h"
 #include "fit.h"
 #include "triangle_check.h"
+
+#include <glm/common.hpp>
+#include <tbb/parallel_for.h>
+
+#include <limits>
 
 namespace rc {
 
@@ -18,9 +17,13 @@ constexpr std::uint32_t kParallelNodes = 256;
 
 const Box kNoBox{glm::vec3(kInf), glm::vec3(-kInf)};
 
-bool is_empty(const Box& box) { return !(box.min.x <= box.max.x); }
+bool is_empty(const Box& box) {
+    return !(box.min.x <= box.max.x);
+}
 
-Box united(const Box& a, const Box& b) { return {glm::min(a.min, b.min), glm::max(a.max, b.max)}; }
+Box united(const Box& a, const Box& b) {
+    return {glm::min(a.min, b.min), glm::max(a.max, b.max)};
+}
 
 float half_area(const Box& box) {
     if (is_empty(box)) return 0.0f;
@@ -41,7 +44,9 @@ void set_box(kernel::WideNode& node, int lane, const Box& box) {
 }
 
 // -0 becomes +0, so that a box has one representation.
-glm::vec3 without_negative_zero(const glm::vec3& p) { return p + glm::vec3(0.0f); }
+glm::vec3 without_negative_zero(const glm::vec3& p) {
+    return p + glm::vec3(0.0f);
+}
 
 Box fit_leaf(Blas::Data& blas, std::uint32_t code, std::span<const glm::vec3> positions) {
     const LeafRange leaf = leaf_range(code);
@@ -61,7 +66,8 @@ Box fit_leaf(Blas::Data& blas, std::uint32_t code, std::span<const glm::vec3> po
 }
 
 // A subtree's box, its leaves and boxes fitted on the way up.
-Box fit_child(Blas::Data& blas, std::uint32_t item, std::uint32_t nodes_below, std::span<const glm::vec3> positions) {
+Box fit_child(Blas::Data& blas, std::uint32_t item, std::uint32_t nodes_below,
+              std::span<const glm::vec3> positions) {
     if (item & kernel::kLeafBit) return fit_leaf(blas, item, positions);
     Box whole = kNoBox;
     kernel::WideNode& node = blas.nodes[item];
@@ -83,7 +89,8 @@ Box fit_child(Blas::Data& blas, std::uint32_t item, std::uint32_t nodes_below, s
 }  // namespace
 
 void fit(Blas::Data& blas, std::span<const glm::vec3> positions) {
-    blas.bounds = blas.root == kernel::kEmptyTree ? kNoBox
+    blas.bounds = blas.root == kernel::kEmptyTree
+                      ? kNoBox
                       : fit_child(blas, blas.root, static_cast<std::uint32_t>(blas.nodes.size()), positions);
     blas.cost = cost_of(blas);
 }
@@ -92,9 +99,10 @@ float cost_of(const Blas::Data& blas) {
     if (blas.root == kernel::kEmptyTree) return 0.0f;
     const auto count_in = [](std::uint32_t leaf) { return float(leaf_range(leaf).count); };
     if (blas.root & kernel::kLeafBit) return count_in(blas.root);
-    double sum = half_area(blas.bounds);
+    auto sum = double(half_area(blas.bounds));
     const double root_area = sum;
-    for (const kernel::WideNode& node : blas.nodes) {  // in the order of the nodes: one sum for any thread count
+    for (const kernel::WideNode& node :
+         blas.nodes) {  // in the order of the nodes: one sum for any thread count
         for (int lane = 0; lane < kernel::kWidth; ++lane) {
             if (node.layers[lane] == 0) continue;
             const bool is_leaf = (node.child[lane] & kernel::kLeafBit) != 0;

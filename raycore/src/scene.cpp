@@ -1,17 +1,17 @@
 #include "raycore/scene.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
-
-#include <glm/vec3.hpp>
-
 #include "binned_builder.h"
 #include "collapse.h"
 #include "contract.h"
 #include "data.h"
 #include "placement.h"
+
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 namespace rc {
 
@@ -44,6 +44,7 @@ std::vector<BuildRef> place_instances(Scene::Data& scene) {
         std::copy_n(placement->local_from_world, 12, view.local_from_world);
         view.blas = instance.blas->data().view();
         view.layers = instance.layers;
+        view.is_identity = instance.world_from_instance == glm::mat4x3(1.0f);
         scene.view.condition = std::max(scene.view.condition, placement->condition);
         refs.push_back(ref_of(placement->world_box, static_cast<std::uint32_t>(i)));
     }
@@ -55,9 +56,15 @@ std::vector<BuildRef> place_instances(Scene::Data& scene) {
 Scene::Scene(std::unique_ptr<Data> data) : data_(std::move(data)) {}
 Scene::~Scene() = default;
 
-std::size_t Scene::instance_count() const { return data_->instances.size(); }
-std::size_t Scene::dropped_instances() const { return data_->dropped; }
-Box Scene::bounds() const { return data_->bounds; }
+std::size_t Scene::instance_count() const {
+    return data_->instances.size();
+}
+std::size_t Scene::dropped_instances() const {
+    return data_->dropped;
+}
+Box Scene::bounds() const {
+    return data_->bounds;
+}
 
 const Instance& Scene::instance(std::uint32_t id) const {
     RC_EXPECTS(id < data_->instances.size(), "an instance id that SceneBuilder::add returned");

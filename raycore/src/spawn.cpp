@@ -1,6 +1,6 @@
-#include <cmath>
-
 #include "raycore/ray.h"
+
+#include <cmath>
 
 namespace rc {
 
@@ -18,7 +18,7 @@ glm::vec3 leave(const SurfacePoint& point, const glm::vec3& towards) {
     const glm::vec3& e = point.position_error;
     const float along = (towards.x * n.x + towards.y * n.y) + towards.z * n.z;
     const float bound = (std::abs(n.x) * e.x + std::abs(n.y) * e.y) + std::abs(n.z) * e.z;
-    const float distance = (along < 0.0f ? -4.0f : 4.0f) * bound; 
+    const float distance = (along < 0.0f ? -4.0f : 4.0f) * bound;
     return {step_away(point.position.x, distance * n.x), step_away(point.position.y, distance * n.y),
             step_away(point.position.z, distance * n.z)};
 }

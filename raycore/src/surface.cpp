@@ -1,11 +1,12 @@
-#include <algorithm>
-#include <cmath>
+#include "contract.h"
+#include "data.h"
+
+#include "raycore/scene.h"
 
 #include <glm/common.hpp>
 
-#include "contract.h"
-#include "data.h"
-#include "raycore/scene.h"
+#include <algorithm>
+#include <cmath>
 
 namespace rc {
 
@@ -14,18 +15,25 @@ namespace {
 struct Vec3d {
     double x, y, z;
 };
-Vec3d to_double(const glm::vec3& p) { return {double(p.x), double(p.y), double(p.z)}; }
-Vec3d operator-(const Vec3d& a, const Vec3d& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Vec3d to_double(const glm::vec3& p) {
+    return {double(p.x), double(p.y), double(p.z)};
+}
+Vec3d operator-(const Vec3d& a, const Vec3d& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
 
 // pbrt's gamma_n: the relative error n roundings can add up to.
-constexpr double gamma(int n) { return n * 0x1p-24 / (1 - n * 0x1p-24); }
+constexpr double gamma(int n) {
+    return n * 0x1p-24 / (1 - n * 0x1p-24);
+}
 
 // Column c of the matrix times v, added up in a fixed order.
 double row_of(const glm::mat4x3& m, std::size_t r, const Vec3d& v) {
     return (double(m[0][r]) * v.x + double(m[1][r]) * v.y) + double(m[2][r]) * v.z;
 }
 double absolute_row_of(const glm::mat4x3& m, std::size_t r, const Vec3d& v) {
-    return (std::abs(double(m[0][r])) * v.x + std::abs(double(m[1][r])) * v.y) + std::abs(double(m[2][r])) * v.z;
+    return (std::abs(double(m[0][r])) * v.x + std::abs(double(m[1][r])) * v.y) +
+           std::abs(double(m[2][r])) * v.z;
 }
 
 Vec3d cross(const Vec3d& a, const Vec3d& b) {
@@ -46,7 +54,8 @@ glm::vec3 unit_normal(const glm::mat4x3& m, const std::array<glm::vec3, 3>& p) {
 }  // namespace
 
 std::array<glm::vec3, 3> Scene::triangle(std::uint32_t instance, std::uint32_t primitive) const {
-    RC_EXPECTS(instance < data_->instances.size() && data_->instances[instance].blas, "an instance with a mesh");
+    RC_EXPECTS(instance < data_->instances.size() && data_->instances[instance].blas,
+               "an instance with a mesh");
     const Blas::Data& blas = data_->instances[instance].blas->data();
     RC_EXPECTS(primitive < blas.leaf_of_primitive.size() && blas.leaf_of_primitive[primitive] != kNone,
                "a primitive that was not dropped at build");
@@ -54,7 +63,8 @@ std::array<glm::vec3, 3> Scene::triangle(std::uint32_t instance, std::uint32_t p
     std::uint32_t lane = 0;
     while (lane + 1 < leaf.count && primitive_in(blas.leaves.data(), leaf, lane) != primitive) ++lane;
     const float* leaves = blas.leaves.data();
-    return {corner_in(leaves, leaf, lane, 0), corner_in(leaves, leaf, lane, 1), corner_in(leaves, leaf, lane, 2)};
+    return {corner_in(leaves, leaf, lane, 0), corner_in(leaves, leaf, lane, 1),
+            corner_in(leaves, leaf, lane, 2)};
 }
 
 SurfacePoint Scene::surface(const Hit& hit) const {

@@ -1,10 +1,10 @@
 // triangle_check.h - which triangles are worth keeping: one answer for build, refit and report.
 #pragma once
 
+#include <glm/vec3.hpp>
+
 #include <cstdint>
 #include <span>
-
-#include <glm/vec3.hpp>
 
 namespace rc {
 

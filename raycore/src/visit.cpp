@@ -10,13 +10,15 @@ std::uint32_t overlapping_children(const kernel::WideNode& node, const Box& box)
     for (int i = 0; i < kernel::kWidth; ++i) {
         bool overlap = true;
         for (std::size_t a = 0; a < 3; ++a)
-            overlap = overlap & (node.bounds[2 * a][i] <= box.max[a]) & (box.min[a] <= node.bounds[2 * a + 1][i]);
+            overlap =
+                overlap && node.bounds[2 * a][i] <= box.max[a] && box.min[a] <= node.bounds[2 * a + 1][i];
         met |= std::uint32_t{overlap} << i;
     }
     return met;
 }
 
-Box local_box(const kernel::InstanceView& instance, const glm::mat4x3& world_from_instance, const Box& world_box) {
+Box local_box(const kernel::InstanceView& instance, const glm::mat4x3& world_from_instance,
+              const Box& world_box) {
     // The pad covers world_corner's own rounding, seen from the instance's frame: three roundings of every term.
     double farthest = 0, reach = 0;
     for (std::size_t a = 0; a < 3; ++a) {
@@ -33,7 +35,8 @@ Box local_box(const kernel::InstanceView& instance, const glm::mat4x3& world_fro
         const double* row = instance.local_from_world + 4 * r;
         double low = row[3], high = row[3], slack = std::abs(row[3]) * 0x1p-50;
         for (std::size_t c = 0; c < 3; ++c) {
-            const double a = row[c] * (double(world_box.min[c]) - pad), b = row[c] * (double(world_box.max[c]) + pad);
+            const double a = row[c] * (double(world_box.min[c]) - pad),
+                         b = row[c] * (double(world_box.max[c]) + pad);
             low += std::min(a, b);
             high += std::max(a, b);
             slack += (std::abs(a) + std::abs(b)) * 0x1p-50;

@@ -6,14 +6,14 @@
 // Bad input a box with min > max or NaN visits nothing.
 #pragma once
 
-#include <array>
-#include <cstdint>
+#include "data.h"
 
 #include <glm/common.hpp>
 #include <glm/mat4x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "data.h"
+#include <array>
+#include <cstdint>
 
 namespace rc {
 
@@ -26,7 +26,8 @@ inline bool overlaps(const Box& a, const Box& b) {
 std::uint32_t overlapping_children(const kernel::WideNode& node, const Box& box);
 
 // A box in the instance's frame that holds everything of it that lies in `world_box`, rounding included.
-Box local_box(const kernel::InstanceView& instance, const glm::mat4x3& world_from_instance, const Box& world_box);
+Box local_box(const kernel::InstanceView& instance, const glm::mat4x3& world_from_instance,
+              const Box& world_box);
 
 // Where a corner of an instance's triangle lies in the world: one formula for everybody.
 glm::vec3 world_corner(const glm::mat4x3& world_from_instance, const glm::vec3& corner);

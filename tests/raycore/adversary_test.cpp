@@ -1,10 +1,10 @@
 // Rays and scenes chosen to break: each still gets the specification's answer, on every instruction set.
-#include <cmath>
+#include "support/brute_force.h"
+#include "support/isas.h"
 
 #include <gtest/gtest.h>
 
-#include "support/brute_force.h"
-#include "support/isas.h"
+#include <cmath>
 
 namespace {
 
@@ -28,7 +28,9 @@ class Adversary : public ::testing::TestWithParam<rc::Isa> {
     }
 };
 
-Mesh one_triangle() { return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}; }
+Mesh one_triangle() {
+    return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+}
 
 TestScene scene_of(const Mesh& mesh, const glm::mat4x3& place = glm::mat4x3(1.0f)) {
     TestScene scene;
@@ -49,8 +51,11 @@ TEST_P(Adversary, AnEmptySceneIsMetByNothing) {
 TEST_P(Adversary, ATriangleExactlyAtTMinOrTMaxIsMet) {
     const TestScene scene = scene_of(one_triangle());
     rc::Ray ray{.origin = {0.25f, 0.25f, -3.0f}, .direction = {0, 0, 2}};  // t = 1.5
-    for (const auto& [low, high, met] : {std::tuple{1.5f, 1.5f, true}, {1.5f, 9.0f, true}, {0.0f, 1.5f, true},
-                                         {std::nextafter(1.5f, 2.0f), 9.0f, false}, {0.0f, std::nextafter(1.5f, 0.0f), false},
+    for (const auto& [low, high, met] : {std::tuple{1.5f, 1.5f, true},
+                                         {1.5f, 9.0f, true},
+                                         {0.0f, 1.5f, true},
+                                         {std::nextafter(1.5f, 2.0f), 9.0f, false},
+                                         {0.0f, std::nextafter(1.5f, 0.0f), false},
                                          {-5.0f, -1.0f, false}}) {
         ray.t_min = low;
         ray.t_max = high;
@@ -62,7 +67,8 @@ TEST_P(Adversary, ATriangleExactlyAtTMinOrTMaxIsMet) {
 TEST_P(Adversary, BothSidesOfATriangleCount) {
     const TestScene scene = scene_of(one_triangle());
     for (const float side : {-1.0f, 1.0f}) {
-        const auto hit = rc::closest_hit(scene.scene(), {.origin = {0.25f, 0.5f, side}, .direction = {0, 0, -side}}, 1);
+        const auto hit =
+            rc::closest_hit(scene.scene(), {.origin = {0.25f, 0.5f, side}, .direction = {0, 0, -side}}, 1);
         ASSERT_TRUE(hit);
         EXPECT_EQ(hit->t, 1.0f);
         EXPECT_EQ(hit->u, 0.25f);
@@ -130,7 +136,8 @@ TEST_P(Adversary, RaysInThePlaneOfATriangleAndAlongItsEdges) {
     const TestScene scene = scene_of(mesh);
     for (int i = 0; i < 300; ++i) {
         const auto grid = [&] { return static_cast<float>(random.below(9)) - 4.0f; };
-        rc::Ray ray{.origin = {grid(), static_cast<float>(random.below(3)) - 1.0f, grid()}, .direction = {grid(), 0, grid()}};
+        rc::Ray ray{.origin = {grid(), static_cast<float>(random.below(3)) - 1.0f, grid()},
+                    .direction = {grid(), 0, grid()}};
         if (ray.direction == glm::vec3(0.0f)) ray.direction.x = -1;
         expect_brute_force(scene, ray, "coplanar");
         ray.direction.y = random.below(2) ? 1.0f : -0.0f;
@@ -154,9 +161,12 @@ TEST_P(Adversary, MirroredSqueezedShearedAndFarInstances) {
         ASSERT_EQ(scene.scene().dropped_instances(), 0u);
         int met = 0;
         for (int i = 0; i < 150; ++i) {
-            const auto world = [&](const glm::vec3& p) { return place[0] * p.x + place[1] * p.y + place[2] * p.z + place[3]; };
+            const auto world = [&](const glm::vec3& p) {
+                return place[0] * p.x + place[1] * p.y + place[2] * p.z + place[3];
+            };
             rc::Ray ray{.origin = world(random.in_cube(2.5f))};
-            ray.direction = world(i % 2 ? random.in_cube(1.5f) : mesh.positions[random.below(20)]) - ray.origin;
+            ray.direction =
+                world(i % 2 ? random.in_cube(1.5f) : mesh.positions[random.below(20)]) - ray.origin;
             if (ray.direction == glm::vec3(0.0f)) continue;
             expect_brute_force(scene, ray, "instance");
             met += rc::any_hit(scene.scene(), ray, rc::kAllLayers);
@@ -199,6 +209,7 @@ TEST_P(Adversary, ScenesFromATenthOfAMillimetreToAThousandKilometres) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryIsa, Adversary, ::testing::ValuesIn(test::supported_isas()), test::isa_test_name);
+INSTANTIATE_TEST_SUITE_P(EveryIsa, Adversary, ::testing::ValuesIn(test::supported_isas()),
+                         test::isa_test_name);
 
 }  // namespace

@@ -1,13 +1,13 @@
 // What is wrong with a mesh is counted and never met; what is wrong with a ray traps in development and is a miss in
 // release.
-#include <limits>
-
-#include <gtest/gtest.h>
-
 #include "support/isas.h"
 #include "support/shapes.h"
 
 #include "raycore/query.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
 
 namespace {
 
@@ -40,7 +40,8 @@ TEST(BadMesh, EveryFaultIsCountedOnceUnderItsFirstReason) {
     const auto blas = rc::build_blas(mesh.view());
     EXPECT_EQ(blas->report().kept(), 2u);
     EXPECT_EQ(blas->bounds().max.x, 1.0f);
-    const auto hit = rc::closest_hit(*scene_of(mesh), {.origin = {0.9f, 1, 0.9f}, .direction = {0, -1, 0}}, 1);
+    const auto hit =
+        rc::closest_hit(*scene_of(mesh), {.origin = {0.9f, 1, 0.9f}, .direction = {0, -1, 0}}, 1);
     ASSERT_TRUE(hit);
     EXPECT_EQ(hit->primitive, 1u);  // ids do not move up
 }
@@ -92,12 +93,14 @@ class BadRay : public ::testing::TestWithParam<rc::Isa> {
 #ifdef RC_CONTRACTS
 TEST_P(BadRay, TrapsInDevelopment) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
-    const rc::Ray zero{.direction = glm::vec3(0.0f)}, backwards{.t_min = 2.0f, .t_max = 1.0f}, nan{.t_max = kNan};
+    const rc::Ray zero{.direction = glm::vec3(0.0f)}, backwards{.t_min = 2.0f, .t_max = 1.0f},
+        nan{.t_max = kNan};
     EXPECT_DEATH((void)rc::closest_hit(*scene_, zero, 1), "direction that is not zero");
     EXPECT_DEATH((void)rc::any_hit(*scene_, backwards, 1), "t_min <= t_max");
     EXPECT_DEATH((void)rc::any_hit(*scene_, nan, 1), "t_min <= t_max");
     rc::Hit hit;
-    EXPECT_DEATH((void)rc::crossings(*scene_, glm::vec3(1), glm::vec3(1), 1, std::span(&hit, 1)), "direction");
+    EXPECT_DEATH((void)rc::crossings(*scene_, glm::vec3(1), glm::vec3(1), 1, std::span(&hit, 1)),
+                 "direction");
 }
 #else
 TEST_P(BadRay, IsAMissInRelease) {

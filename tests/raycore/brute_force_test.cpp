@@ -1,11 +1,11 @@
 // Every query of every ISA, single and in batches, against the specification applied to every triangle.
 #include "support/brute_force.h"
 
-#include <gtest/gtest.h>
-
 #include "support/isas.h"
 
 #include "raycore/query.h"
+
+#include <gtest/gtest.h>
 
 namespace {
 
@@ -30,18 +30,29 @@ TestScene make_museum(Random& random) {
 // Some rays anywhere, some along axes, some exactly from vertex to vertex, some short, some at a layer of their own.
 rc::Ray make_ray(Random& random, const Mesh& targets) {
     rc::Ray ray{.origin = random.in_cube(5.0f), .direction = random.direction()};
-    const auto target = [&] { return targets.positions[random.below(static_cast<std::uint32_t>(targets.positions.size()))]; };
+    const auto target = [&] {
+        return targets.positions[random.below(static_cast<std::uint32_t>(targets.positions.size()))];
+    };
     switch (random.below(6)) {
-        case 0: ray.direction = {random.below(2) ? 0.0f : -0.0f, -1.0f, random.below(2) ? 0.0f : -0.0f}; break;
-        case 1: ray.direction = target() - ray.origin; break;
+        case 0:
+            ray.direction = {random.below(2) ? 0.0f : -0.0f, -1.0f, random.below(2) ? 0.0f : -0.0f};
+            break;
+        case 1:
+            ray.direction = target() - ray.origin;
+            break;
         case 2:
             ray.origin = target();
             ray.direction = target() - ray.origin;
             if (ray.direction == glm::vec3(0.0f)) ray.direction.x = 1.0f;
             break;
-        case 3: ray.t_max = random.between(0.0f, 6.0f); break;
-        case 4: ray.t_min = random.between(-3.0f, 3.0f); break;
-        default: break;
+        case 3:
+            ray.t_max = random.between(0.0f, 6.0f);
+            break;
+        case 4:
+            ray.t_min = random.between(-3.0f, 3.0f);
+            break;
+        default:
+            break;
     }
     return ray;
 }
@@ -96,7 +107,8 @@ TEST_P(BruteForce, CrossingsAreTheFirstSoManyOfAllHits) {
             std::vector<rc::Hit> out(capacity);
             const std::size_t n = rc::crossings(scene.scene(), from, to, rc::kAllLayers, out);
             ASSERT_EQ(n, std::min(capacity, expected.size()));
-            for (std::size_t k = 0; k < n; ++k) ASSERT_TRUE(test::same_bits(out[k], expected[k])) << i << " " << k;
+            for (std::size_t k = 0; k < n; ++k)
+                ASSERT_TRUE(test::same_bits(out[k], expected[k])) << i << " " << k;
         }
     }
     EXPECT_GT(most, 8u);
@@ -127,12 +139,15 @@ TEST_P(BruteForce, ABatchAnswersAsItsRaysAlone) {
             ASSERT_TRUE(test::same_bits(hits[i], single.value_or(rc::Hit{}))) << size << " " << i;
             ASSERT_EQ(is_hit[i] != 0, single.has_value()) << size << " " << i;
             rc::Hit alone[4];
-            ASSERT_EQ(counts[i], rc::crossings(scene.scene(), segments[i].from, segments[i].to, rc::kAllLayers, alone));
-            for (std::uint32_t k = 0; k < counts[i]; ++k) ASSERT_TRUE(test::same_bits(all[i * 4 + k], alone[k]));
+            ASSERT_EQ(counts[i],
+                      rc::crossings(scene.scene(), segments[i].from, segments[i].to, rc::kAllLayers, alone));
+            for (std::uint32_t k = 0; k < counts[i]; ++k)
+                ASSERT_TRUE(test::same_bits(all[i * 4 + k], alone[k]));
         }
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryIsa, BruteForce, ::testing::ValuesIn(test::supported_isas()), test::isa_test_name);
+INSTANTIATE_TEST_SUITE_P(EveryIsa, BruteForce, ::testing::ValuesIn(test::supported_isas()),
+                         test::isa_test_name);
 
 }  // namespace

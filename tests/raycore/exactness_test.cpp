@@ -1,12 +1,12 @@
 // Truth from outside: a double-precision oracle on the unsheared triangle, and symmetry under powers of two.
-#include <algorithm>
-#include <cmath>
+#include "support/brute_force.h"
+#include "support/isas.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "support/brute_force.h"
-#include "support/isas.h"
+#include <algorithm>
+#include <cmath>
 
 namespace {
 
@@ -28,7 +28,8 @@ Truth oracle(const rc::Ray& ray, const glm::vec3 (&p)[3]) {
         s[a] = o[a] - double(p[0][a]);
     }
     const auto cross = [](const double* a, const double* b, double* out) {
-        for (int i = 0; i < 3; ++i) out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+        for (int i = 0; i < 3; ++i)
+            out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
     };
     const auto dot = [](const double* a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
     double h[3], q[3];
@@ -72,7 +73,8 @@ TEST(Exactness, SliversAMillionTimesLongerThanWideAreMetWhereTheyAre) {
     Random random(13);
     int met = 0, expected = 0;
     for (int i = 0; i < 3000; ++i) {
-        const glm::vec3 a = random.in_cube(1.0f), along = random.direction(), across = random.direction() * 1e-6f;
+        const glm::vec3 a = random.in_cube(1.0f), along = random.direction(),
+                        across = random.direction() * 1e-6f;
         const Mesh mesh{{a, a + along, a + across}, {{0, 1, 2}}};
         const glm::vec3 p[3] = {mesh.positions[0], mesh.positions[1], mesh.positions[2]};
         rc::Ray ray{.origin = random.in_cube(3.0f)};
@@ -123,7 +125,8 @@ TEST_P(Scale, ByAPowerOfTwoChangesNoIdAndNoBarycentric) {
             expected.t *= scale;
             ASSERT_TRUE(test::same_bits(hits[i], expected)) << "2^" << k << " ray " << i;
         }
-        EXPECT_GT(std::count_if(hits.begin(), hits.end(), [](const rc::Hit& h) { return !h.is_miss(); }), 500);
+        EXPECT_GT(std::count_if(hits.begin(), hits.end(), [](const rc::Hit& h) { return !h.is_miss(); }),
+                  500);
     }
 }
 
@@ -145,8 +148,10 @@ TEST_P(Scale, AnInstanceMovedFarAwayWithItsRaysKeepsItsHits) {
             ray.origin = (ray.origin + far[3]) - far[3];  // representable there
             rc::Ray moved = ray;
             moved.origin += far[3];
-            const auto here = rc::closest_hit(*near_scene, ray, 1), there = rc::closest_hit(*far_scene, moved, 1);
-            ASSERT_TRUE(test::same_bits(here.value_or(rc::Hit{}), there.value_or(rc::Hit{}))) << distance << " " << i;
+            const auto here = rc::closest_hit(*near_scene, ray, 1),
+                       there = rc::closest_hit(*far_scene, moved, 1);
+            ASSERT_TRUE(test::same_bits(here.value_or(rc::Hit{}), there.value_or(rc::Hit{})))
+                << distance << " " << i;
         }
     }
 }

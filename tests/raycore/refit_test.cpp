@@ -1,11 +1,11 @@
 // A skinned guard moves every tick: his refitted tree answers exactly as a tree built anew would.
-#include <cmath>
-#include <limits>
+#include "support/brute_force.h"
+#include "support/isas.h"
 
 #include <gtest/gtest.h>
 
-#include "support/brute_force.h"
-#include "support/isas.h"
+#include <cmath>
+#include <limits>
 
 namespace {
 
@@ -43,7 +43,8 @@ TEST(Refit, AnswersAsARebuildInEveryBit) {
         const Mesh moved = bent(ball, amount);
         rc::refit_blas(*blas, moved.positions);
         int met = 0;
-        EXPECT_EQ(differing_answers(*scene_of(blas), *scene_of(rc::build_blas(moved.view())), 1, &met), 0) << amount;
+        EXPECT_EQ(differing_answers(*scene_of(blas), *scene_of(rc::build_blas(moved.view())), 1, &met), 0)
+            << amount;
         EXPECT_GT(met, 200);
     }
     EXPECT_FLOAT_EQ(blas->refit_degradation(), 1.0f);  // back where it was built

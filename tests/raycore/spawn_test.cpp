@@ -1,10 +1,10 @@
 // Light leaves a surface without meeting it again, at any size and any distance: section 3 of the field's figures.
-#include <cmath>
+#include "support/brute_force.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "support/brute_force.h"
+#include <cmath>
 
 namespace {
 
@@ -13,14 +13,14 @@ using test::Random;
 
 struct Case {
     const char* name;
-    float size;        // of the body
-    float distance;    // of its instance from the world's origin
-    float ray_from;    // how far away the first ray starts
+    float size;      // of the body
+    float distance;  // of its instance from the world's origin
+    float ray_from;  // how far away the first ray starts
 };
 
 const Case kCases[] = {
-    {"1 m at the origin", 1.0f, 0.0f, 2.0f},        {"1 mm at the origin", 1e-3f, 0.0f, 2e-3f},
-    {"1 m at 1 km", 1.0f, 1e3f, 2.0f},              {"1 cm at 100 m", 1e-2f, 100.0f, 2e-2f},
+    {"1 m at the origin", 1.0f, 0.0f, 2.0f},   {"1 mm at the origin", 1e-3f, 0.0f, 2e-3f},
+    {"1 m at 1 km", 1.0f, 1e3f, 2.0f},         {"1 cm at 100 m", 1e-2f, 100.0f, 2e-2f},
     {"1 m seen from 10 km", 1.0f, 0.0f, 1e4f},
 };
 
@@ -41,7 +41,8 @@ glm::vec3 leaving_direction(Random& random, const glm::vec3& normal, int i) {
 TEST(SpawnRay, NeverMeetsTheConvexBodyItLeaves) {
     for (const Case& c : kCases) {
         // Boxes and balls: coplanar neighbours and nearly coplanar ones.
-        for (const Mesh& mesh : {test::make_ball(glm::vec3(0.0f), c.size, 10), test::make_box(glm::vec3(-c.size), glm::vec3(c.size))}) {
+        for (const Mesh& mesh : {test::make_ball(glm::vec3(0.0f), c.size, 10),
+                                 test::make_box(glm::vec3(-c.size), glm::vec3(c.size))}) {
             glm::mat4x3 place(1.0f);
             place[3] = glm::vec3(c.distance, -0.4f * c.distance, 0.7f * c.distance);
             rc::SceneBuilder builder;
@@ -51,7 +52,8 @@ TEST(SpawnRay, NeverMeetsTheConvexBodyItLeaves) {
             int met = 0, left = 0;
             for (int i = 0; i < 10'000; ++i) {
                 const glm::vec3 from = place[3] + random.direction() * c.ray_from * 3.0f;
-                const rc::Ray ray{.origin = from, .direction = place[3] + random.in_cube(0.7f * c.size) - from};
+                const rc::Ray ray{.origin = from,
+                                  .direction = place[3] + random.in_cube(0.7f * c.size) - from};
                 const auto hit = rc::closest_hit(*scene, ray, rc::kAllLayers);
                 if (!hit) continue;
                 ++left;
@@ -78,7 +80,8 @@ TEST(SpawnRay, OnATiledFloorMeetsNoTile) {
             const float cell = 1.25f * static_cast<float>(random.below(31) + 1) - 20.0f;
             const glm::vec3 target(i % 2 ? cell : random.between(-20, 20), height, random.between(-20, 20));
             const glm::vec3 from = random.in_cube(15.0f) + glm::vec3(0, height + 20.0f, 0);
-            const auto hit = rc::closest_hit(*scene, {.origin = from, .direction = target - from}, rc::kAllLayers);
+            const auto hit =
+                rc::closest_hit(*scene, {.origin = from, .direction = target - from}, rc::kAllLayers);
             ASSERT_TRUE(hit);
             const glm::vec3 direction = leaving_direction(random, glm::vec3(0, 1, 0), i);
             met += rc::any_hit(*scene, rc::spawn_ray(scene->surface(*hit), direction), rc::kAllLayers);
@@ -94,7 +97,8 @@ TEST(SpawnRay, ReachesItsTargetAndNotBeyond) {
     const auto scene = builder.commit();
     Random random(33);
     for (int i = 0; i < 2000; ++i) {
-        const auto hit = rc::closest_hit(*scene, {.origin = random.in_cube(1.5f), .direction = random.direction()}, 1);
+        const auto hit =
+            rc::closest_hit(*scene, {.origin = random.in_cube(1.5f), .direction = random.direction()}, 1);
         ASSERT_TRUE(hit);
         const rc::SurfacePoint point = scene->surface(*hit);
         const glm::vec3 lamp = random.in_cube(1.9f);
@@ -124,7 +128,8 @@ TEST(Surface, LiesWithinItsErrorBoundOfTheTruth) {
         for (std::size_t r = 0; r < 3; ++r) {
             double truth = double(place[3][r]);
             for (std::size_t c = 0; c < 3; ++c)
-                for (std::size_t k = 0; k < 3; ++k) truth += double(place[k][r]) * b[c] * double(corners[c][k]);
+                for (std::size_t k = 0; k < 3; ++k)
+                    truth += double(place[k][r]) * b[c] * double(corners[c][k]);
             EXPECT_LE(std::abs(truth - double(point.position[r])), double(point.position_error[r]));
         }
         EXPECT_NEAR(glm::length(point.normal), 1.0f, 1e-6f);
@@ -136,11 +141,14 @@ TEST(Surface, LiesWithinItsErrorBoundOfTheTruth) {
 TEST(Surface, NormalFollowsTheCornersThroughMirrors) {
     const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
     for (const auto& [place, normal] :
-         {std::pair{glm::mat4x3(1.0f), glm::vec3(0, 0, 1)}, {glm::mat4x3(-1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0), glm::vec3(0, 0, -1)},
+         {std::pair{glm::mat4x3(1.0f), glm::vec3(0, 0, 1)},
+          {glm::mat4x3(-1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0), glm::vec3(0, 0, -1)},
           {glm::mat4x3(1, 0, 0, 0, 1, 0, 0, 0, -1, 0, 0, 0), glm::vec3(0, 0, 1)}}) {
         rc::SceneBuilder builder;
         builder.add({rc::build_blas(mesh.view()), place});
-        EXPECT_EQ(builder.commit()->surface({.t = 1, .u = 0.2f, .v = 0.2f, .primitive = 0, .instance = 0}).normal, normal);
+        EXPECT_EQ(
+            builder.commit()->surface({.t = 1, .u = 0.2f, .v = 0.2f, .primitive = 0, .instance = 0}).normal,
+            normal);
     }
 }
 

@@ -1,18 +1,17 @@
 // The tree itself: one per input whatever the thread count, never deeper than the stacks are high, every triangle in it.
-#include <cmath>
-#include <cstring>
-#include <set>
+#include "data.h"
+#include "support/shapes.h"
+#include "visit.h"
 
+#include "raycore/query.h"
+
+#include <glm/common.hpp>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "data.h"
-#include "visit.h"
-#include "support/shapes.h"
-
-#include <glm/common.hpp>
-
-#include "raycore/query.h"
+#include <cmath>
+#include <cstring>
+#include <set>
 
 namespace {
 
@@ -54,7 +53,8 @@ TEST_P(Tree, IsTheSameForAnyNumberOfThreads) {
     test::append(mesh, test::make_ball(glm::vec3(-0.0f), 2.0f, 60));
     const auto one = build_with(mesh, 1, GetParam());
     for (const std::size_t threads : {2u, 3u, 8u})
-        EXPECT_TRUE(same_tree(one->data(), build_with(mesh, threads, GetParam())->data())) << threads << " threads";
+        EXPECT_TRUE(same_tree(one->data(), build_with(mesh, threads, GetParam())->data()))
+            << threads << " threads";
 }
 
 TEST_P(Tree, HoldsEveryTriangleThatWasKept) {
@@ -72,8 +72,10 @@ TEST_P(Tree, HoldsEveryTriangleThatWasKept) {
 TEST_P(Tree, IsNeverDeeperThanTheStacksAreHigh) {
     Mesh spiral;
     for (std::uint32_t i = 0; i < 4000; ++i) {
-        const float x = std::ldexp(1.0f, static_cast<int>(i % 100) - 50) * (1.0f + 1e-3f * static_cast<float>(i / 100));
-        for (const glm::vec3& p : {glm::vec3(x, 0, 0), glm::vec3(1.01f * x, 0, 0), glm::vec3(x, 0.01f * x, 0)})
+        const float x =
+            std::ldexp(1.0f, static_cast<int>(i % 100) - 50) * (1.0f + 1e-3f * static_cast<float>(i / 100));
+        for (const glm::vec3& p :
+             {glm::vec3(x, 0, 0), glm::vec3(1.01f * x, 0, 0), glm::vec3(x, 0.01f * x, 0)})
             spiral.positions.push_back(p);
         spiral.triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
     }
@@ -95,15 +97,19 @@ TEST_P(Tree, AHundredThousandIdenticalTrianglesStayShallow) {
 
 std::string quality_name(const ::testing::TestParamInfo<rc::BuildQuality>& info) {
     switch (info.param) {
-        case rc::BuildQuality::Fast: return "fast";
-        case rc::BuildQuality::Default: return "default";
-        case rc::BuildQuality::High: return "high";
+        case rc::BuildQuality::Fast:
+            return "fast";
+        case rc::BuildQuality::Default:
+            return "default";
+        case rc::BuildQuality::High:
+            return "high";
     }
     return "unknown";
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryQuality, Tree,
-                         ::testing::Values(rc::BuildQuality::Fast, rc::BuildQuality::Default, rc::BuildQuality::High),
+                         ::testing::Values(rc::BuildQuality::Fast, rc::BuildQuality::Default,
+                                           rc::BuildQuality::High),
                          quality_name);
 
 // Everything a swept body could touch is offered to it: a triangle with a corner in the box is always visited.
@@ -112,19 +118,21 @@ TEST(Visit, OffersEveryTriangleThatReachesIntoTheBox) {
     const Mesh mesh = test::make_soup(random, 800, 3.0f, 0.4f);
     const glm::mat4x3 places[] = {glm::mat4x3(1.0f), glm::mat4x3(-2, 0, 0, 0, 1, 0.5f, 0, 0, 0.3f, 1, 2, 3)};
     rc::SceneBuilder builder;
-    for (const glm::mat4x3& place : places) builder.add({rc::build_blas(mesh.view()), place, 1u << builder.size()});
+    for (const glm::mat4x3& place : places)
+        builder.add({rc::build_blas(mesh.view()), place, 1u << builder.size()});
     const auto scene = builder.commit();
     std::size_t inside = 0, visits = 0;
     for (int i = 0; i < 200; ++i) {
         const glm::vec3 centre = random.in_cube(4.0f), half = glm::abs(random.in_cube(1.5f));
         const rc::Box box{centre - half, centre + half};
         std::set<std::pair<std::uint32_t, std::uint32_t>> visited;
-        rc::visit_triangles(*scene, box, rc::kAllLayers, [&](std::uint32_t id, std::uint32_t primitive, const auto& p) {
-            visited.insert({id, primitive});
-            for (std::size_t c = 0; c < 3; ++c)
-                EXPECT_EQ(p[c], rc::world_corner(places[id], mesh.positions[3 * primitive + c]));
-            return false;
-        });
+        rc::visit_triangles(
+            *scene, box, rc::kAllLayers, [&](std::uint32_t id, std::uint32_t primitive, const auto& p) {
+                visited.insert({id, primitive});
+                for (std::size_t c = 0; c < 3; ++c)
+                    EXPECT_EQ(p[c], rc::world_corner(places[id], mesh.positions[3 * primitive + c]));
+                return false;
+            });
         rc::visit_triangles(*scene, box, 2, [&](std::uint32_t id, std::uint32_t, const auto&) {
             EXPECT_EQ(id, 1u);  // the other instance is not on this layer
             return false;

@@ -1,10 +1,10 @@
 // A guard inside a sealed room sees no light through its seams: near the world's origin, far from it, tiny or huge.
-#include <gtest/gtest.h>
-
 #include "support/isas.h"
 #include "support/shapes.h"
 
 #include "raycore/query.h"
+
+#include <gtest/gtest.h>
 
 namespace {
 
@@ -56,7 +56,8 @@ TEST_P(Watertight, NoRayLeavesAClosedMeshThroughAnEdgeOrACorner) {
         std::vector<rc::Ray> rays;
         for (int i = 0; i < 30'000; ++i) {
             const bool from_centre = i % 10 == 0;
-            const glm::vec3 from = ball.mesh_centre + (from_centre ? glm::vec3(0.0f) : random.in_cube(0.4f * ball.radius));
+            const glm::vec3 from =
+                ball.mesh_centre + (from_centre ? glm::vec3(0.0f) : random.in_cube(0.4f * ball.radius));
             rc::Ray ray{.origin = from + ball.stands_at};
             ray.direction = (target_on(mesh, random, i) + ball.stands_at) - ray.origin;
             rays.push_back(ray);
@@ -84,7 +85,8 @@ TEST_P(Watertight, AxisParallelRaysMeetATiledFloorAtEveryJoint) {
     int leaks = 0;
     for (int j = 0; j <= 128; ++j) {
         for (int i = 0; i <= 128; ++i) {
-            const glm::vec3 from(-4.0f + 0.0625f * static_cast<float>(i), 2.0f, -4.0f + 0.0625f * static_cast<float>(j));
+            const glm::vec3 from(-4.0f + 0.0625f * static_cast<float>(i), 2.0f,
+                                 -4.0f + 0.0625f * static_cast<float>(j));
             for (const float zero : {0.0f, -0.0f}) {
                 const rc::Ray down{.origin = from, .direction = {zero, -1.0f, -zero}};
                 const auto hit = rc::closest_hit(*scene, down, rc::kAllLayers);
@@ -95,6 +97,7 @@ TEST_P(Watertight, AxisParallelRaysMeetATiledFloorAtEveryJoint) {
     EXPECT_EQ(leaks, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryIsa, Watertight, ::testing::ValuesIn(test::supported_isas()), test::isa_test_name);
+INSTANTIATE_TEST_SUITE_P(EveryIsa, Watertight, ::testing::ValuesIn(test::supported_isas()),
+                         test::isa_test_name);
 
 }  // namespace

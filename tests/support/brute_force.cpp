@@ -8,7 +8,9 @@ namespace test {
 
 namespace {
 
-bool is_finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool is_finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 bool is_good(const rc::Ray& ray) {
     return is_finite(ray.origin) && is_finite(ray.direction) && ray.direction != glm::vec3(0.0f) &&
@@ -118,7 +120,8 @@ std::vector<rc::Hit> TestScene::all_hits(const rc::Ray& ray, rc::LayerMask layer
     for (std::uint32_t id = 0; id < placed_.size(); ++id) {
         const std::optional<Affine> local = inverse_of(placed_[id].instance.world_from_instance);
         if (!local || !(placed_[id].instance.layers & layers)) continue;
-        const glm::vec3 origin = apply(*local, ray.origin, true), direction = apply(*local, ray.direction, false);
+        const glm::vec3 origin = apply(*local, ray.origin, true),
+                        direction = apply(*local, ray.direction, false);
         const Mesh& mesh = meshes_[placed_[id].mesh];
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
             const glm::uvec3& t = mesh.triangles[i];
@@ -145,8 +148,8 @@ std::optional<rc::Hit> TestScene::closest(const rc::Ray& ray, rc::LayerMask laye
 
 bool same_bits(const rc::Hit& a, const rc::Hit& b) {
     const auto bits = [](float f) { return std::bit_cast<std::uint32_t>(f); };
-    return bits(a.t) == bits(b.t) && bits(a.u) == bits(b.u) && bits(a.v) == bits(b.v) && a.primitive == b.primitive &&
-           a.instance == b.instance;
+    return bits(a.t) == bits(b.t) && bits(a.u) == bits(b.u) && bits(a.v) == bits(b.v) &&
+           a.primitive == b.primitive && a.instance == b.instance;
 }
 
 }  // namespace test

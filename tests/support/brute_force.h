@@ -2,14 +2,14 @@
 // scene with no tree at all. Slow, short, and written apart from the kernels.
 #pragma once
 
+#include "support/shapes.h"
+
+#include "raycore/query.h"
+
 #include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
-
-#include "support/shapes.h"
-
-#include "raycore/query.h"
 
 namespace test {
 
@@ -25,8 +25,10 @@ class TestScene {
     [[nodiscard]] const rc::Scene& scene() const { return *scene_; }
 
     // Every hit on the ray in order: by t, then instance, then primitive.
-    [[nodiscard]] std::vector<rc::Hit> all_hits(const rc::Ray& ray, rc::LayerMask layers = rc::kAllLayers) const;
-    [[nodiscard]] std::optional<rc::Hit> closest(const rc::Ray& ray, rc::LayerMask layers = rc::kAllLayers) const;
+    [[nodiscard]] std::vector<rc::Hit> all_hits(const rc::Ray& ray,
+                                                rc::LayerMask layers = rc::kAllLayers) const;
+    [[nodiscard]] std::optional<rc::Hit> closest(const rc::Ray& ray,
+                                                 rc::LayerMask layers = rc::kAllLayers) const;
 
   private:
     struct Placed {

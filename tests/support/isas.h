@@ -1,12 +1,12 @@
 // support/isas.h - run a test once per instruction set this machine has.
 #pragma once
 
-#include <string>
-#include <vector>
+#include "raycore/isa.h"
 
 #include <gtest/gtest.h>
 
-#include "raycore/isa.h"
+#include <string>
+#include <vector>
 
 namespace test {
 

@@ -1,10 +1,10 @@
 // support/random.h - the tests' own random numbers: the same on every machine, independent of the game's.
 #pragma once
 
+#include <glm/vec3.hpp>
+
 #include <cmath>
 #include <cstdint>
-
-#include <glm/vec3.hpp>
 
 namespace test {
 

@@ -11,8 +11,8 @@ namespace {
 using Key = std::tuple<int, int, int>;
 
 // The vertex at integer octahedron coordinates, made once.
-std::uint32_t ball_vertex(Mesh& mesh, std::map<Key, std::uint32_t>& known, const Key& key, const glm::vec3& centre,
-                          float radius) {
+std::uint32_t ball_vertex(Mesh& mesh, std::map<Key, std::uint32_t>& known, const Key& key,
+                          const glm::vec3& centre, float radius) {
     const auto [found, is_new] = known.try_emplace(key, static_cast<std::uint32_t>(mesh.positions.size()));
     if (is_new) {
         const auto [x, y, z] = key;
@@ -69,7 +69,8 @@ Mesh make_box(const glm::vec3& low, const glm::vec3& high) {
     Mesh mesh;
     for (int i = 0; i < 8; ++i)
         mesh.positions.emplace_back(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z);
-    const std::uint32_t quads[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+    const std::uint32_t quads[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                       {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
     for (const auto& q : quads) {
         mesh.triangles.emplace_back(q[0], q[1], q[2]);
         mesh.triangles.emplace_back(q[0], q[2], q[3]);

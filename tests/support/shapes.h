@@ -2,14 +2,14 @@
 // shared indices.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
-#include <glm/vec3.hpp>
-
 #include "support/random.h"
 
 #include "raycore/mesh.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <vector>
 
 namespace test {
 

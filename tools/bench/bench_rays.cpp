@@ -1,10 +1,10 @@
 #include "bench_rays.h"
 
-#include <cmath>
+#include "support/random.h"
 
 #include <glm/geometric.hpp>
 
-#include "support/random.h"
+#include <cmath>
 
 namespace bench {
 
@@ -13,7 +13,8 @@ namespace {
 constexpr int kWidth = 1280, kHeight = 720, kTile = 8;
 
 std::vector<rc::Ray> primary_rays(const Camera& camera, int keep) {
-    const float cy = std::cos(camera.yaw), sy = std::sin(camera.yaw), cp = std::cos(camera.pitch), sp = std::sin(camera.pitch);
+    const float cy = std::cos(camera.yaw), sy = std::sin(camera.yaw), cp = std::cos(camera.pitch),
+                sp = std::sin(camera.pitch);
     const glm::vec3 forward(-sy * cp, sp, -cy * cp), right(cy, 0, -sy), up = glm::cross(right, forward);
     const float half = std::tan(0.5f * camera.fov);
     std::vector<rc::Ray> rays;
@@ -24,7 +25,8 @@ std::vector<rc::Ray> primary_rays(const Camera& camera, int keep) {
             for (int i = 0; i < kTile * kTile; ++i) {
                 const float x = (2.0f * (float(tx + i % kTile) + 0.5f) - kWidth) / kHeight * half;
                 const float y = (1.0f - 2.0f * (float(ty + i / kTile) + 0.5f) / kHeight) * half;
-                rays.push_back({.origin = camera.position, .direction = glm::normalize(forward + right * x + up * y)});
+                rays.push_back(
+                    {.origin = camera.position, .direction = glm::normalize(forward + right * x + up * y)});
             }
         }
     }

@@ -1,12 +1,12 @@
 // bench_rays.h - the rays everybody is asked: the same floats for raycore and for its peers.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "bench_scenes.h"
 
 #include "raycore/query.h"
+
+#include <string>
+#include <vector>
 
 namespace bench {
 

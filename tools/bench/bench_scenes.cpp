@@ -1,13 +1,13 @@
 #include "bench_scenes.h"
 
+#include "support/shapes.h"
+
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-
-#include <glm/common.hpp>
-
-#include "support/shapes.h"
 
 #ifdef BENCH_CAN_LOAD
 #include "load/level_loader.h"
@@ -20,14 +20,16 @@ namespace {
 constexpr float kTau = 6.2831853f;
 
 // A fluted shaft: quads as tall as the column and a few millimetres wide, the worst that architecture has.
-test::Mesh make_column(const glm::vec3& foot, float height, float radius, std::uint32_t flutes, std::uint32_t rings) {
+test::Mesh make_column(const glm::vec3& foot, float height, float radius, std::uint32_t flutes,
+                       std::uint32_t rings) {
     test::Mesh mesh;
     const std::uint32_t around = 8 * flutes;
     for (std::uint32_t j = 0; j <= rings; ++j) {
         for (std::uint32_t i = 0; i < around; ++i) {
             const float angle = kTau * float(i) / float(around);
             const float r = radius * (1.0f - 0.06f * std::abs(std::sin(0.5f * float(flutes) * angle)));
-            mesh.positions.push_back(foot + glm::vec3(r * std::cos(angle), height * float(j) / float(rings), r * std::sin(angle)));
+            mesh.positions.push_back(
+                foot + glm::vec3(r * std::cos(angle), height * float(j) / float(rings), r * std::sin(angle)));
         }
     }
     for (std::uint32_t j = 0; j < rings; ++j) {
@@ -49,21 +51,29 @@ BenchScene make_interior() {
         for (int i = 0; i < 14; ++i) {
             const glm::vec3 foot(float(side) * 7.0f, 0, -27.0f + 4.1f * float(i));
             test::append(all, make_column(foot, 7.4f, 0.45f, 20, 2));
-            test::append(all, test::make_box(foot - glm::vec3(0.6f, 0, 0.6f), foot + glm::vec3(0.6f, 0.25f, 0.6f)));
+            test::append(
+                all, test::make_box(foot - glm::vec3(0.6f, 0, 0.6f), foot + glm::vec3(0.6f, 0.25f, 0.6f)));
             const glm::vec3 plinth(float(side) * 9.8f, 0, foot.z + 2.0f);
-            test::append(all, test::make_box(plinth - glm::vec3(0.4f, 0, 0.4f), plinth + glm::vec3(0.4f, 1.1f, 0.4f)));
+            test::append(
+                all, test::make_box(plinth - glm::vec3(0.4f, 0, 0.4f), plinth + glm::vec3(0.4f, 1.1f, 0.4f)));
             test::append(all, test::make_ball(plinth + glm::vec3(0, 1.7f, 0), 0.6f, 30));
         }
     }
     for (int i = 0; i < 260; ++i) {  // coffers, skirting, benches: boxes, most of them thin slats
-        const glm::vec3 at(random.between(-11, 11), random.below(2) ? 7.6f : random.between(0, 0.5f), random.between(-29, 29));
+        const glm::vec3 at(random.between(-11, 11), random.below(2) ? 7.6f : random.between(0, 0.5f),
+                           random.between(-29, 29));
         const bool along_x = random.below(2) == 0;
-        const glm::vec3 half = along_x ? glm::vec3(random.between(0.5f, 4), 0.03f, 0.03f) : glm::vec3(0.03f, 0.03f, random.between(0.5f, 4));
+        const glm::vec3 half = along_x ? glm::vec3(random.between(0.5f, 4), 0.03f, 0.03f)
+                                       : glm::vec3(0.03f, 0.03f, random.between(0.5f, 4));
         test::append(all, test::make_box(at - half, at + half));
     }
     test::append(all, test::make_sheet(11.5f, 0.01f, 40));
-    return {"interior", std::move(all.positions), std::move(all.triangles), {{0.5f, 1.7f, 26.0f}, 0.15f, 0.03f, 1.2f},
-            {-6, 6.5f, -28}, {6, 7.5f, 28}};
+    return {"interior",
+            std::move(all.positions),
+            std::move(all.triangles),
+            {{0.5f, 1.7f, 26.0f}, 0.15f, 0.03f, 1.2f},
+            {-6, 6.5f, -28},
+            {6, 7.5f, 28}};
 }
 
 namespace {
@@ -90,8 +100,10 @@ std::optional<BenchScene> read_raw(const std::string& path) {
     if (!file || counts[0] > 1u << 28 || counts[1] > 1u << 28) return std::nullopt;
     scene.positions.resize(counts[0]);
     scene.triangles.resize(counts[1]);
-    file.read(reinterpret_cast<char*>(scene.positions.data()), std::streamsize(counts[0] * sizeof(glm::vec3)));
-    file.read(reinterpret_cast<char*>(scene.triangles.data()), std::streamsize(counts[1] * sizeof(glm::uvec3)));
+    file.read(reinterpret_cast<char*>(scene.positions.data()),
+              std::streamsize(counts[0] * sizeof(glm::vec3)));
+    file.read(reinterpret_cast<char*>(scene.triangles.data()),
+              std::streamsize(counts[1] * sizeof(glm::uvec3)));
     if (!file) return std::nullopt;
     aim(scene);
     return scene;

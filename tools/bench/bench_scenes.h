@@ -1,13 +1,13 @@
 // bench_scenes.h - what benchmarks look at: a procedural interior, or a file's triangles made one mesh.
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
+#include "raycore/mesh.h"
 
 #include <glm/vec3.hpp>
 
-#include "raycore/mesh.h"
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace bench {
 

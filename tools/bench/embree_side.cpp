@@ -1,10 +1,10 @@
 #include "embree_side.h"
 
+#include <embree3/rtcore.h>
+
 #include <chrono>
 #include <cstring>
 #include <string>
-
-#include <embree3/rtcore.h>
 
 namespace bench {
 
@@ -33,7 +33,8 @@ EmbreeSide::EmbreeSide(const BenchScene& source, EmbreeMode mode, bool high_qual
     rtcReleaseGeometry(mesh);
     const auto start = std::chrono::steady_clock::now();
     rtcCommitScene(impl_->scene);
-    impl_->build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    impl_->build_ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 EmbreeSide::~EmbreeSide() {
@@ -41,7 +42,9 @@ EmbreeSide::~EmbreeSide() {
     rtcReleaseDevice(impl_->device);
 }
 
-double EmbreeSide::build_ms() const { return impl_->build_ms; }
+double EmbreeSide::build_ms() const {
+    return impl_->build_ms;
+}
 
 namespace {
 
@@ -51,8 +54,18 @@ Answer ask_single(RTCScene scene, const RaySet& set) {
     rtcInitIntersectContext(&context);
     for (const rc::Ray& ray : set.rays) {
         RTCRayHit query;
-        query.ray = {ray.origin.x, ray.origin.y, ray.origin.z, ray.t_min, ray.direction.x, ray.direction.y,
-                     ray.direction.z, 0, ray.t_max, 0xFFFFFFFFu, 0, 0};
+        query.ray = {ray.origin.x,
+                     ray.origin.y,
+                     ray.origin.z,
+                     ray.t_min,
+                     ray.direction.x,
+                     ray.direction.y,
+                     ray.direction.z,
+                     0,
+                     ray.t_max,
+                     0xFFFFFFFFu,
+                     0,
+                     0};
         if (set.any) {
             rtcOccluded1(scene, &context, &query.ray);
             answer.add(query.ray.tfar < 0, 0);

@@ -1,15 +1,18 @@
 // embree_side.h - Embree 3 asked the same rays, for comparison. Nothing of it outside this file's pair.
 #pragma once
 
+#include "bench_rays.h"
+
 #include <cstdint>
 #include <memory>
 #include <span>
 
-#include "bench_rays.h"
-
 namespace bench {
 
-enum class EmbreeMode { Fast, Robust };         // Fast: high quality (spatial splits); Robust: its robust flag as well
+enum class EmbreeMode {
+    Fast,
+    Robust
+};  // Fast: high quality (spatial splits); Robust: its robust flag as well
 enum class EmbreeCall { Single, Packet16 };
 
 struct Answer {

@@ -4,10 +4,10 @@
 //            and counted; queries never meet it and primitive ids of the others do not change.
 #pragma once
 
+#include <glm/vec3.hpp>
+
 #include <cstddef>
 #include <span>
-
-#include <glm/vec3.hpp>
 
 namespace rc {
 

@@ -7,23 +7,24 @@
 //           counts as such), or without triangles, is kept under its id but never met; dropped_instances() counts them.
 #pragma once
 
+#include "raycore/blas.h"
+#include "raycore/ray.h"
+
+#include <glm/mat4x3.hpp>
+#include <glm/vec3.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
-#include <glm/mat4x3.hpp>
-#include <glm/vec3.hpp>
-
-#include "raycore/blas.h"
-#include "raycore/ray.h"
-
 namespace rc {
 
 struct Instance {
     std::shared_ptr<const Blas> blas;
-    glm::mat4x3 world_from_instance{1.0f};  // affine: columns x, y, z, translation; mirrored and sheared are fine
+    glm::mat4x3 world_from_instance{
+        1.0f};  // affine: columns x, y, z, translation; mirrored and sheared are fine
     LayerMask layers = kAllLayers;
 };
 

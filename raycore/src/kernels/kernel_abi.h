@@ -8,9 +8,10 @@
 
 namespace rc::kernel {
 
-inline constexpr int kWidth = 8;           // children a node, lanes a triangle block
-inline constexpr int kMaxDepth = 64;       // of a tree; the builder proves it (binned_builder.h)
-inline constexpr int kStackSize = (kWidth - 1) * kMaxDepth + 1;  // siblings waiting at each level, and the root
+inline constexpr int kWidth = 8;      // children a node, lanes a triangle block
+inline constexpr int kMaxDepth = 64;  // of a tree; the builder proves it (binned_builder.h)
+inline constexpr int kStackSize =
+    (kWidth - 1) * kMaxDepth + 1;             // siblings waiting at each level, and the root
 inline constexpr int kWordsPerTriangle = 10;  // nine coordinates and the primitive
 inline constexpr int kLeafPadding = 64;       // words readable behind the last block
 
@@ -33,23 +34,24 @@ struct BlasView {
     const WideNode* nodes = nullptr;
     const float* leaves = nullptr;
     std::uint32_t root = kEmptyTree;
-    float min[3] = {0, 0, 0};
-    float max[3] = {0, 0, 0};
+    float min[4] = {0, 0, 0, 0};  // read four wide
+    float max[4] = {0, 0, 0, 0};
 };
 
 struct alignas(64) InstanceView {
     double local_from_world[12];  // rows of three and a translation: found and applied in double
     BlasView blas;
     std::uint32_t layers = 0;
+    bool is_identity = false;  // the way into its frame changes no bit, and is not gone
 };
 
 struct SceneView {
     const WideNode* nodes = nullptr;
     const InstanceView* instances = nullptr;
     std::uint32_t root = kEmptyTree;
-    float condition = 1.0f;  // the worst norm(world_from_local) * norm(local_from_world) among instances
-    float min[3] = {0, 0, 0};
-    float max[3] = {0, 0, 0};
+    float condition = 1.0f;       // the worst norm(world_from_local) * norm(local_from_world) among instances
+    float min[4] = {0, 0, 0, 0};  // read four wide
+    float max[4] = {0, 0, 0, 0};
 };
 
 // rc::Ray and rc::Hit as kernels see them; query.cpp asserts that they are the same bytes.
@@ -79,8 +81,8 @@ struct Counts {
 struct Kernels {
     void (*closest)(const SceneView&, const RayIn* rays, std::uint64_t n, std::uint32_t layers, HitOut* hits,
                     Counts* counts);
-    void (*any)(const SceneView&, const RayIn* rays, std::uint64_t n, std::uint32_t layers, std::uint8_t* is_hit,
-                Counts* counts);
+    void (*any)(const SceneView&, const RayIn* rays, std::uint64_t n, std::uint32_t layers,
+                std::uint8_t* is_hit, Counts* counts);
     std::uint32_t (*crossings)(const SceneView&, const RayIn& ray, std::uint32_t layers, HitOut* out,
                                std::uint32_t capacity);
 };

@@ -9,51 +9,92 @@
 
 namespace rc::kernel::RC_ISA {
 
+// Three axes and a lane that means nothing; the compiler's own vectors, since every ISA has four floats.
+typedef float Quad __attribute__((vector_size(16)));
+typedef std::int32_t QuadBits __attribute__((vector_size(16)));
+
+static inline Quad load_quad(const float* p) {
+    Quad q;
+    __builtin_memcpy(&q, p, sizeof(q));
+    return q;
+}
+static inline Quad quad_of(float a) {
+    return Quad{a, a, a, a};
+}
+static inline Quad quad_max(Quad a, Quad b) {
+    return a > b ? a : b;
+}
+static inline Quad with_bits(QuadBits bits) {
+    return reinterpret_cast<Quad>(bits);
+}
+static inline QuadBits sign_of(Quad a) {
+    return reinterpret_cast<QuadBits>(a) & QuadBits{INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN};
+}
+static inline Quad absolute(Quad a) {
+    return with_bits(reinterpret_cast<QuadBits>(a) ^ sign_of(a));
+}
+static inline Quad with_sign(Quad a, QuadBits sign) {
+    return with_bits(reinterpret_cast<QuadBits>(a) | sign);
+}
+
 struct LocalRay {
-    float origin[3];
+    Quad origin;
+    Quad slope;      // direction per unit of |direction| on axis kz
     int kx, ky, kz;  // kz: the axis the ray runs along most
     float shear_x, shear_y;
-    double dz;
+    float dz;
+    float at_kx, at_ky, at_kz;  // of the origin
 };
 
 // Distances along a box ray are |displacement on axis kz|: s = t * |dz|.
 struct BoxRay {
-    float slope_rcp[3];
-    float near_at_zero[3], far_at_zero[3];
-    int near_row[3], far_row[3];
+    Float slope_rcp[3], near_at_zero[3], far_at_zero[3];
+    std::int32_t near_row[4], far_row[4];  // byte offsets into WideNode::bounds
     float s_min, s_max;
     float dz_abs, s_pad;
 };
 
-static inline float absolute(float a) { return __builtin_fabsf(a); }
-static inline float larger(float a, float b) { return a > b ? a : b; }
-
-// Beyond every hit whose t is at most `t_max`.
-static inline float s_limit(const BoxRay& box, float t_max) { return t_max * box.dz_abs * (1.0f + 0x1p-21f) + box.s_pad; }
-
-static inline bool is_finite(float a) { return absolute(a) <= 0x1.fffffep127f; }
-
-static inline bool is_good(const RayIn& ray) {
-    bool finite = true, moves = false;
-    for (int a = 0; a < 3; ++a) {
-        finite = finite & is_finite(ray.origin[a]) & is_finite(ray.direction[a]);
-        moves = moves | (ray.direction[a] != 0.0f);
-    }
-    return finite & moves & (ray.t_min <= ray.t_max);
+static inline float absolute(float a) {
+    return __builtin_fabsf(a);
+}
+static inline float larger(float a, float b) {
+    return a > b ? a : b;
 }
 
-// False when the direction has vanished or overflowed on its way into the instance's frame: such a ray misses.
-static inline bool shear(const float origin[3], const float direction[3], LocalRay& ray) {
+// Beyond every hit whose t is at most `t_max`.
+static inline float s_limit(const BoxRay& box, float t_max) {
+    return t_max * box.dz_abs * (1.0f + 0x1p-21f) + box.s_pad;
+}
+
+// x - x is NaN for what is not finite, and zero for all else.
+static inline float zero_if_finite(const float v[3]) {
+    return ((v[0] - v[0]) + (v[1] - v[1])) + (v[2] - v[2]);
+}
+
+static inline bool is_good(const RayIn& ray) {
+    const float zero = zero_if_finite(ray.origin) + zero_if_finite(ray.direction);
+    const bool moves = (ray.direction[0] != 0.0f) | (ray.direction[1] != 0.0f) | (ray.direction[2] != 0.0f);
+    return (zero == 0.0f) & moves & (ray.t_min <= ray.t_max);
+}
+
+// `origin` and `direction` are read four wide. False when the direction has vanished or something has overflowed on
+// its way into the instance's frame: such a ray misses.
+static inline bool shear(const float* origin, const float* direction, LocalRay& ray) {
     const float dx = absolute(direction[0]), dy = absolute(direction[1]), dz = absolute(direction[2]);
-    ray.kz = dx > dy ? (dx > dz ? 0 : 2) : (dy > dz ? 1 : 2);
-    ray.kx = ray.kz == 2 ? 0 : ray.kz + 1;
-    ray.ky = ray.kx == 2 ? 0 : ray.kx + 1;
-    for (int a = 0; a < 3; ++a) ray.origin[a] = origin[a];
-    const float along = direction[ray.kz];
-    ray.shear_x = direction[ray.kx] / along;
-    ray.shear_y = direction[ray.ky] / along;
-    ray.dz = double(along);
-    return along != 0.0f && is_finite(along) && is_finite(origin[0]) && is_finite(origin[1]) && is_finite(origin[2]);
+    static constexpr int kNext[3] = {1, 2, 0};
+    const int of_two = dx > dy ? 0 : 1;  // no branches: which axis it is can not be predicted
+    ray.kz = larger(dx, dy) > dz ? of_two : 2;
+    ray.kx = kNext[ray.kz];
+    ray.ky = kNext[ray.kx];
+    ray.dz = direction[ray.kz];
+    ray.origin = load_quad(origin);
+    ray.slope = load_quad(direction) / quad_of(absolute(ray.dz));
+    ray.shear_x = direction[ray.kx] / ray.dz;
+    ray.shear_y = direction[ray.ky] / ray.dz;
+    ray.at_kx = origin[ray.kx];
+    ray.at_ky = origin[ray.ky];
+    ray.at_kz = origin[ray.kz];
+    return (ray.dz != 0.0f) & (zero_if_finite(origin) + zero_if_finite(direction) == 0.0f);
 }
 
 struct TreeBounds {
@@ -62,32 +103,37 @@ struct TreeBounds {
     float extra_pad;  // what else the tree's boxes have to forgive; 0 in a BLAS
 };
 
-static inline void aim_at_boxes(const LocalRay& ray, const TreeBounds& tree, float t_min, float t_max, BoxRay& box) {
-    float reach[3];
-    for (int a = 0; a < 3; ++a)
-        reach[a] = larger(absolute(tree.min[a] - ray.origin[a]), absolute(tree.max[a] - ray.origin[a]));
+static inline void aim_at_boxes(const LocalRay& ray, const TreeBounds& tree, float t_min, float t_max,
+                                BoxRay& box) {
+    const Quad reach =
+        quad_max(absolute(load_quad(tree.min) - ray.origin), absolute(load_quad(tree.max) - ray.origin));
+    float reaches[4];
+    __builtin_memcpy(reaches, &reach, sizeof(reach));
+    const float reach_z = reaches[ray.kz];
 
-    const float sign = ray.dz < 0 ? -1.0f : 1.0f;
-    float slope[3];
-    slope[ray.kx] = ray.shear_x * sign;
-    slope[ray.ky] = ray.shear_y * sign;
-    slope[ray.kz] = sign;
+    const Quad steepness = absolute(ray.slope);
+    const Quad pad = (absolute(ray.origin) + reach) * quad_of(0x1p-21f) +
+                     (steepness * quad_of(0x1p-21f) + quad_of(0x1p-39f)) * quad_of(reach_z) +
+                     quad_of(tree.extra_pad + 0x1p-100f);
+    // A slope below 2^-40 strays from the true ray by less than the term with 2^-39.
+    const QuadBits sign = sign_of(ray.slope);
+    const Quad rcp = with_sign(quad_of(1.0f) / quad_max(steepness, quad_of(0x1p-40f)), sign);
+    const Quad towards = with_sign(pad, sign);
+    const Quad near_at_zero = -(ray.origin + towards) * rcp, far_at_zero = -(ray.origin - towards) * rcp;
     for (int a = 0; a < 3; ++a) {
-        const float steepness = absolute(slope[a]);
-        const float pad = (absolute(ray.origin[a]) + reach[a]) * 0x1p-21f +
-                          reach[ray.kz] * (steepness * 0x1p-21f + 0x1p-39f) + (tree.extra_pad + 0x1p-100f);
-        // A slope below 2^-40 strays from the true ray by less than the last term but one.
-        const bool forward = !__builtin_signbit(slope[a]);
-        const float bounded = larger(steepness, 0x1p-40f);
-        box.slope_rcp[a] = 1.0f / (forward ? bounded : -bounded);
-        const float towards = forward ? pad : -pad;
-        box.near_at_zero[a] = -(ray.origin[a] + towards) * box.slope_rcp[a];
-        box.far_at_zero[a] = -(ray.origin[a] - towards) * box.slope_rcp[a];
-        box.near_row[a] = 2 * a + !forward;
-        box.far_row[a] = 2 * a + forward;
+        box.slope_rcp[a] = splat(rcp[a]);
+        box.near_at_zero[a] = splat(near_at_zero[a]);
+        box.far_at_zero[a] = splat(far_at_zero[a]);
     }
-    box.dz_abs = absolute(float(ray.dz));
-    box.s_pad = reach[ray.kz] * 0x1p-21f + 0x1p-100f;
+    constexpr std::int32_t kRow = sizeof(float) * kWidth;
+    const QuadBits backward = sign >> 31 & QuadBits{kRow, kRow, kRow, kRow};
+    const QuadBits near_row = QuadBits{0, 2 * kRow, 4 * kRow, 0} + backward;
+    const QuadBits far_row = QuadBits{kRow, 3 * kRow, 5 * kRow, 0} - backward;
+    __builtin_memcpy(box.near_row, &near_row, sizeof(near_row));
+    __builtin_memcpy(box.far_row, &far_row, sizeof(far_row));
+
+    box.dz_abs = absolute(ray.dz);
+    box.s_pad = reach_z * 0x1p-21f + 0x1p-100f;
     box.s_min = t_min * box.dz_abs;
     box.s_min -= absolute(box.s_min) * 0x1p-21f + box.s_pad;
     if (!(box.s_min > -0x1p127f)) box.s_min = -0x1p127f;

@@ -1,10 +1,10 @@
 // kernels/scalar.cpp - the kernels in plain C++.
 #include "kernels/kernel_abi.h"
-#include "kernels/simd_scalar.h"
 #include "kernels/ray_setup.inl"
-#include "kernels/triangle.inl"
-#include "kernels/traverse.inl"
+#include "kernels/simd_scalar.h"
 #include "kernels/sinks.inl"
+#include "kernels/traverse.inl"
+#include "kernels/triangle.inl"
 
 namespace rc::kernel {
 

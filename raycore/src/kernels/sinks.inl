@@ -5,7 +5,9 @@ namespace rc::kernel::RC_ISA {
 inline constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
 inline constexpr float kLargest = 0x1.fffffep127f;  // t beyond it is infinite: a miss
 
-static inline float finite_limit(float t_max) { return t_max < kLargest ? t_max : kLargest; }
+static inline float finite_limit(float t_max) {
+    return t_max < kLargest ? t_max : kLargest;
+}
 
 static inline HitOut to_hit(const Candidate& c) {
     return {c.t, float(c.weight1 / c.weight_sum), float(c.weight2 / c.weight_sum), c.primitive, c.instance};
@@ -60,8 +62,8 @@ struct CrossingsSink {
     }
 };
 
-static void closest(const SceneView& scene, const RayIn* rays, std::uint64_t n, std::uint32_t layers, HitOut* hits,
-                    Counts* counts) {
+static void closest(const SceneView& scene, const RayIn* rays, std::uint64_t n, std::uint32_t layers,
+                    HitOut* hits, Counts* counts) {
     Counts sum;
     for (std::uint64_t i = 0; i < n; ++i) {
         ClosestSink sink{rays[i].t_min, finite_limit(rays[i].t_max), {}};
@@ -73,8 +75,8 @@ static void closest(const SceneView& scene, const RayIn* rays, std::uint64_t n, 
     if (counts != nullptr) *counts = sum;
 }
 
-static void any(const SceneView& scene, const RayIn* rays, std::uint64_t n, std::uint32_t layers, std::uint8_t* is_hit,
-                Counts* counts) {
+static void any(const SceneView& scene, const RayIn* rays, std::uint64_t n, std::uint32_t layers,
+                std::uint8_t* is_hit, Counts* counts) {
     Counts sum;
     for (std::uint64_t i = 0; i < n; ++i) {
         AnySink sink{rays[i].t_min, finite_limit(rays[i].t_max)};

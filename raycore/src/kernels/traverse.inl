@@ -13,20 +13,60 @@ struct StackEntry {
 // Where the ray enters the boxes it meets, as bits and distances.
 static inline std::uint32_t meet_boxes(const WideNode& node, const BoxRay& box, float near[kWidth]) {
     Float enter = splat(box.s_min), leave = splat(box.s_max);
+    const char* bounds = reinterpret_cast<const char*>(node.bounds);
+    const auto row = [&](std::int32_t offset) {
+        return load(reinterpret_cast<const float*>(bounds + offset));
+    };
     for (int a = 0; a < 3; ++a) {
-        const Float rcp = splat(box.slope_rcp[a]);
-        enter = max(about_fma(load(node.bounds[box.near_row[a]]), rcp, splat(box.near_at_zero[a])), enter);
-        leave = min(about_fma(load(node.bounds[box.far_row[a]]), rcp, splat(box.far_at_zero[a])), leave);
+        enter = max(about_fma(row(box.near_row[a]), box.slope_rcp[a], box.near_at_zero[a]), enter);
+        leave = min(about_fma(row(box.far_row[a]), box.slope_rcp[a], box.far_at_zero[a]), leave);
     }
     store(near, enter);
     return less_equal_bits(enter, leave);
 }
 
+// Asks for a child's memory before it is its turn: nodes and leaves of a large scene are a cache miss each.
+static inline void prefetch(const WideNode* nodes, const float* leaves, std::uint32_t item) {
+    const char* node = reinterpret_cast<const char*>(nodes + item);
+    const char* leaf =
+        reinterpret_cast<const char*>(leaves + std::uint64_t{item & kLeafFirstMask} * kWordsPerTriangle);
+    const char* at = item & kLeafBit ? leaf : node;
+    __builtin_prefetch(at);
+    __builtin_prefetch(at + 64);
+    __builtin_prefetch(at + 128);
+}
+
+// The nearest child that is met; the others go onto the stack, the next nearest on top.
+static inline std::uint32_t order_children(const WideNode* nodes, const float* leaves, const WideNode& node,
+                                           const float near[kWidth], std::uint32_t met, StackEntry* stack,
+                                           int& top) {
+    const int first = __builtin_ctz(met);
+    met &= met - 1;
+    StackEntry nearest{node.child[first], near[first]};
+    if (met == 0) return nearest.item;
+    prefetch(nodes, leaves, nearest.item);
+    const int base = top;
+    do {  // insertion, farthest first: two or three are met on average
+        const int lane = __builtin_ctz(met);
+        met &= met - 1;
+        const StackEntry entry{node.child[lane], near[lane]};
+        prefetch(nodes, leaves, entry.item);
+        const bool swap = entry.near < nearest.near;
+        const StackEntry farther = swap ? nearest : entry;
+        nearest = swap ? entry : nearest;
+        int i = top++;
+        for (; i > base && stack[i - 1].near < farther.near; --i) stack[i] = stack[i - 1];
+        stack[i] = farther;
+    } while (met != 0);
+    return nearest.item;
+}
+
 // Opens inner nodes from `item` down to a leaf, leaving the farther children on the stack, nearest on top.
 // kEmptyTree when nothing is met.
 template <bool kIsTlas>
-static inline std::uint32_t descend(const WideNode* nodes, std::uint32_t item, const BoxRay& box, std::uint32_t layers,
-                                    StackEntry* stack, int& top, Counts& counts) {
+static inline std::uint32_t descend(const WideNode* nodes, const float* leaves, std::uint32_t item,
+                                    const BoxRay& box, std::uint32_t layers, StackEntry* stack, int& top,
+                                    Counts& counts) {
     while (!(item & kLeafBit)) {
         const WideNode& node = nodes[item];
         ++counts.nodes;
@@ -38,31 +78,15 @@ static inline std::uint32_t descend(const WideNode* nodes, std::uint32_t item, c
             met &= visible;
         }
         if (met == 0) return kEmptyTree;
-        const int first = __builtin_ctz(met);
-        met &= met - 1;
-        if (met == 0) {
-            item = node.child[first];
-            continue;
-        }
-        // Insertion into the stack, farthest first: three children are met on average, seldom more.
-        const int base = top;
-        stack[top++] = {node.child[first], near[first]};
-        for (; met != 0; met &= met - 1) {
-            const int lane = __builtin_ctz(met);
-            const StackEntry entry{node.child[lane], near[lane]};
-            int i = top++;
-            for (; i > base && stack[i - 1].near < entry.near; --i) stack[i] = stack[i - 1];
-            stack[i] = entry;
-        }
-        item = stack[--top].item;
+        item = order_children(nodes, leaves, node, near, met, stack, top);
     }
     return item;
 }
 
 // True when the sink has seen enough.
 template <class Sink>
-static inline bool test_leaf(const float* leaves, std::uint32_t leaf, std::uint32_t instance, std::uint32_t skip,
-                             const LocalRay& ray, BoxRay& box, Sink& sink) {
+static inline bool test_leaf(const float* leaves, std::uint32_t leaf, std::uint32_t instance,
+                             std::uint32_t skip, const LocalRay& ray, BoxRay& box, Sink& sink) {
     const std::uint32_t count = ((leaf & ~kLeafBit) >> 28) + 1;
     const float* rows = leaves + std::uint64_t{leaf & kLeafFirstMask} * kWordsPerTriangle;
     ShearedBlock sheared;
@@ -83,10 +107,14 @@ static inline bool test_leaf(const float* leaves, std::uint32_t leaf, std::uint3
 template <class Sink>
 static bool walk_instance(const InstanceView& instance, std::uint32_t id, const RayIn& world, Sink& sink,
                           Counts& counts) {
-    float origin[3], direction[3];
-    to_local(instance.local_from_world, world, origin, direction);
     LocalRay ray;
-    if (!shear(origin, direction, ray)) return false;
+    if (instance.is_identity) {
+        if (!shear(world.origin, world.direction, ray)) return false;
+    } else {
+        float origin[4] = {}, direction[4] = {};
+        to_local(instance.local_from_world, world, origin, direction);
+        if (!shear(origin, direction, ray)) return false;
+    }
     const BlasView& blas = instance.blas;
     BoxRay box;
     aim_at_boxes(ray, {blas.min, blas.max, 0.0f}, sink.t_min, sink.t_limit, box);
@@ -97,7 +125,7 @@ static bool walk_instance(const InstanceView& instance, std::uint32_t id, const 
     int top = 0;
     std::uint32_t item = blas.root;
     for (;;) {
-        item = descend<false>(blas.nodes, item, box, 0, stack, top, counts);
+        item = descend<false>(blas.nodes, blas.leaves, item, box, 0, stack, top, counts);
         if (item != kEmptyTree) {
             ++counts.leaves;
             if (test_leaf(blas.leaves, item, id, skip, ray, box, sink)) return true;
@@ -111,20 +139,29 @@ static bool walk_instance(const InstanceView& instance, std::uint32_t id, const 
 }
 
 template <class Sink>
-static void walk_scene(const SceneView& scene, const RayIn& world, std::uint32_t layers, Sink& sink, Counts& counts) {
+static void walk_scene(const SceneView& scene, const RayIn& world, std::uint32_t layers, Sink& sink,
+                       Counts& counts) {
+    if (scene.root == kEmptyTree) return;
+    if (scene.root & kLeafBit) {  // one instance needs no tree
+        const std::uint32_t id = scene.root & ~kLeafBit;
+        if ((scene.instances[id].layers & layers) != 0)
+            walk_instance(scene.instances[id], id, world, sink, counts);
+        return;
+    }
     LocalRay ray;
-    if (scene.root == kEmptyTree || !shear(world.origin, world.direction, ray)) return;
+    if (!shear(world.origin, world.direction, ray)) return;
     float farthest = 0.0f;
     for (int a = 0; a < 3; ++a) farthest = larger(farthest, absolute(world.origin[a]));
     BoxRay box;
     // 2^-20: sixteen roundings, of which the way into the instance's frame and back to t can spend eleven.
-    aim_at_boxes(ray, {scene.min, scene.max, farthest * scene.condition * 0x1p-20f}, sink.t_min, sink.t_limit, box);
+    aim_at_boxes(ray, {scene.min, scene.max, farthest * scene.condition * 0x1p-20f}, sink.t_min, sink.t_limit,
+                 box);
 
     StackEntry stack[kStackSize];
     int top = 0;
     std::uint32_t item = scene.root;
     for (;;) {
-        item = descend<true>(scene.nodes, item, box, layers, stack, top, counts);
+        item = descend<true>(scene.nodes, nullptr, item, box, layers, stack, top, counts);
         if (item != kEmptyTree) {
             const std::uint32_t id = item & ~kLeafBit;
             if ((scene.instances[id].layers & layers) != 0) {

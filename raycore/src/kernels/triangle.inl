@@ -21,7 +21,7 @@ struct ShearedBlock {
 };
 
 // Whether the lane is met at all, and where. An edge-on triangle is not met: its neighbours are.
-static inline bool decide(const ShearedBlock& block, int lane, double dz, Candidate& c) {
+static inline bool decide(const ShearedBlock& block, int lane, float dz, Candidate& c) {
     const double x0 = double(block.x[0][lane]), x1 = double(block.x[1][lane]), x2 = double(block.x[2][lane]);
     const double y0 = double(block.y[0][lane]), y1 = double(block.y[1][lane]), y2 = double(block.y[2][lane]);
     const double w0 = x2 * y1 - y2 * x1;
@@ -32,7 +32,7 @@ static inline bool decide(const ShearedBlock& block, int lane, double dz, Candid
     const double sum = (w0 + w1) + w2;
     if (!((front | back) & (sum != 0))) return false;
     const double z0 = double(block.z[0][lane]), z1 = double(block.z[1][lane]), z2 = double(block.z[2][lane]);
-    c.t = float(((w0 * z0 + w1 * z1) + w2 * z2) / (sum * dz));
+    c.t = float(((w0 * z0 + w1 * z1) + w2 * z2) / (sum * double(dz)));
     c.weight1 = w1;
     c.weight2 = w2;
     c.weight_sum = sum;
@@ -40,15 +40,18 @@ static inline bool decide(const ShearedBlock& block, int lane, double dz, Candid
 }
 
 // Lanes that may be met, and all lanes sheared.
-static inline std::uint32_t filter(const float* rows, std::uint32_t count, const LocalRay& ray, ShearedBlock& out) {
+static inline std::uint32_t filter(const float* rows, std::uint32_t count, const LocalRay& ray,
+                                   ShearedBlock& out) {
     Float x[3], y[3], z[3];
-    const Float ox = splat(ray.origin[ray.kx]), oy = splat(ray.origin[ray.ky]), oz = splat(ray.origin[ray.kz]);
+    const Float ox = splat(ray.at_kx), oy = splat(ray.at_ky), oz = splat(ray.at_kz);
     const Float sx = splat(ray.shear_x), sy = splat(ray.shear_y);
-    for (int i = 0; i < 3; ++i) {
-        const float* corner = rows + 3 * i * int(count);
-        z[i] = load(corner + ray.kz * int(count)) - oz;
-        x[i] = (load(corner + ray.kx * int(count)) - ox) - sx * z[i];
-        y[i] = (load(corner + ray.ky * int(count)) - oy) - sy * z[i];
+    const std::uint32_t to_x = std::uint32_t(ray.kx) * count, to_y = std::uint32_t(ray.ky) * count,
+                        to_z = std::uint32_t(ray.kz) * count;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const float* corner = rows + 3 * i * count;
+        z[i] = load(corner + to_z) - oz;
+        x[i] = (load(corner + to_x) - ox) - sx * z[i];
+        y[i] = (load(corner + to_y) - oy) - sy * z[i];
     }
     const Float u = x[2] * y[1] - y[2] * x[1];
     const Float v = x[0] * y[2] - y[0] * x[2];
