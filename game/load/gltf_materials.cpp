@@ -93,7 +93,7 @@ UvUse read_uv_use(const tinygltf::TextureInfo& info) {
     use.uv_from_file[1] = glm::vec2(turn.sin, turn.cos) * s.y;
     use.uv_from_file[2] = {clamped(element(offset, 0, 0.0), -kMost, kMost),
                            clamped(element(offset, 1, 0.0), -kMost, kMost)};
-    use.set = std::clamp(static_cast<int>(number(transform, "texCoord", use.set)), 0, 7);
+    use.set = static_cast<int>(std::clamp(number(transform, "texCoord", use.set), 0.0, 7.0));
     use.is_plain = use.uv_from_file == glm::mat3x2(1.0f);
     return use;
 }

@@ -37,6 +37,7 @@ class MeshSet {
     [[nodiscard]] Result<world::Mesh> read_whole(int gltf_mesh);
 
     [[nodiscard]] const world::Mesh& mesh(std::uint32_t id) const { return meshes_[id]; }
+    [[nodiscard]] std::size_t size() const { return meshes_.size(); }
     [[nodiscard]] std::vector<world::Mesh> take() { return std::move(meshes_); }
 
   private:

@@ -29,13 +29,29 @@ std::uint64_t hash_of(std::span<const std::byte> bytes, const tinygltf::Model& m
     return hasher.digest();
 }
 
+// Exact where that is affordable; a file of a few kilobytes can put one large mesh in a great many places, and
+// then the corners of its box have to do.
 world::Aabb bounds_of_parts(const LevelBuild& build) {
+    std::size_t budget = 4 * kMaxVertices;
+    std::vector<std::optional<world::Aabb>> mesh_box(build.meshes.size());
     world::Aabb box = empty_box();
     for (const world::Part& part : build.level.parts) {
         if (part.mover == world::Mover::Stone || part.mover == world::Mover::Guard) continue;
         const glm::mat4x3 world_from_part = world_from_part_at_rest(build.level, part);
-        for (const glm::vec3& p : build.meshes.mesh(part.mesh).positions)
+        const std::vector<glm::vec3>& positions = build.meshes.mesh(part.mesh).positions;
+        if (positions.size() <= budget) {
+            budget -= positions.size();
+            for (const glm::vec3& p : positions) grow(box, transform_point(world_from_part, p));
+            continue;
+        }
+        std::optional<world::Aabb>& local = mesh_box[part.mesh];
+        if (!local) local = bounds_of(positions);
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            const glm::vec3 p((corner & 1u) != 0 ? local->max.x : local->min.x,
+                              (corner & 2u) != 0 ? local->max.y : local->min.y,
+                              (corner & 4u) != 0 ? local->max.z : local->min.z);
             grow(box, transform_point(world_from_part, p));
+        }
     }
     return box;
 }

@@ -61,14 +61,6 @@ std::optional<world::Lamp> lamp_of_part(const LevelBuild& build, std::uint32_t p
     return lamp;
 }
 
-bool is_emission_textured(const LevelBuild& build, std::uint32_t part_id) {
-    const world::Mesh& mesh = build.meshes.mesh(build.level.parts[part_id].mesh);
-    return std::any_of(mesh.materials.begin(), mesh.materials.end(), [&](std::uint32_t id) {
-        const world::Material& material = build.materials.materials[id];
-        return shines(material) && material.emission_texture != world::kNoIndex;
-    });
-}
-
 float range_of(const world::Lamp& lamp) {
     constexpr float kFaintest = 1.0e-3f;  // W/m2
     const float most = std::max({lamp.intensity.x, lamp.intensity.y, lamp.intensity.z});

@@ -17,9 +17,6 @@ enum class MeshLampShape { Either, Sphere, Rect };
 [[nodiscard]] std::optional<world::Lamp> lamp_of_part(const LevelBuild& build, std::uint32_t part_id,
                                                       MeshLampShape shape);
 
-// Whether what shines of a part takes its colour from a picture.
-[[nodiscard]] bool is_emission_textured(const LevelBuild& build, std::uint32_t part_id);
-
 // How far off a lamp gives less than 1e-3 W/m2 at best; infinite for a sun.
 [[nodiscard]] float range_of(const world::Lamp& lamp);
 
