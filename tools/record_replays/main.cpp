@@ -1,0 +1,84 @@
+// Plays a level and writes the recordings that ship with it: NAME_win.rec and NAME_caught.rec.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "app/recording.h"
+#include "load/level_loader.h"
+#include "planner.h"
+#include "world/state_hash.h"
+
+namespace {
+
+using namespace gh;
+
+int complain(const std::string& sentence) {
+    fmt::print(stderr, "replay_recorder: {}\n", sentence);
+    return 2;
+}
+
+// Plays the commands once more from the start, into a file.
+Result<std::uint64_t> record(const std::filesystem::path& path, const std::string& name,
+                             const std::shared_ptr<const world::Level>& level, std::uint32_t seed,
+                             const std::vector<input::Command>& run) {
+    auto recorder = app::Recorder::start(path, app::recording_header(name, *level, seed));
+    if (!recorder) return recorder.error();
+    sim::Simulation simulation(level, seed);
+    for (const input::Command& command : run) {
+        simulation.step(command);
+        if (auto noted = recorder->note_tick(command, simulation.state()); !noted) return noted.error();
+    }
+    if (auto finished = recorder->finish(); !finished) return finished.error();
+    return world::state_hash(simulation.state()).total;
+}
+
+// Manners of going about it, from an artist's to a burglar's.
+std::optional<std::vector<input::Command>> find_win(const std::shared_ptr<const world::Level>& level,
+                                                    std::uint32_t seed) {
+    for (std::uint32_t i = 0; i < 24; ++i) {
+        const tools::Attempt attempt{.seed = seed,
+                                     .side = (i / 2) % 4,
+                                     .runs_errands = i % 2 == 0,
+                                     .most_alert = i < 8    ? world::Alert::Calm
+                                                   : i < 16 ? world::Alert::Suspicious
+                                                            : world::Alert::Searching};
+        auto run = tools::plan_win(level, attempt);
+        fmt::print("attempt {}: side {}, errands {}: {}\n", i, attempt.side, attempt.runs_errands,
+                   run ? fmt::format("wins in {} ticks", run->size()) : "gives up");
+        std::fflush(stdout);
+        if (run) return run;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Plays a level by itself and writes NAME_win.rec and NAME_caught.rec.", "replay_recorder");
+    std::string level_path, out = "assets/replays";
+    std::uint32_t seed = 1;
+    app.add_option("LEVEL", level_path, "a .glb or .gltf file")->required();
+    app.add_option("--out", out, "folder of the recordings");
+    app.add_option("--seed", seed, "of the simulation");
+    CLI11_PARSE(app, argc, argv);
+
+    auto loaded = load::load_level(level_path);
+    if (!loaded) return complain(loaded.error().sentence);
+    const auto level = std::make_shared<const world::Level>(*std::move(loaded));
+    const std::string name = std::filesystem::path(level_path).stem().string();
+
+    const auto win = find_win(level, seed);
+    if (!win) return complain(name + " can not be won by any manner this player knows");
+    const auto arrest = tools::plan_arrest(level, seed);
+    if (!arrest) return complain("nobody in " + name + " catches a player who walks up to the guard");
+    for (const auto& [run, ending] : {std::pair(&*win, "win"), std::pair(&*arrest, "caught")}) {
+        const std::filesystem::path path = std::filesystem::path(out) / fmt::format("{}_{}.rec", name, ending);
+        const auto hash = record(path, name, level, seed, *run);
+        if (!hash) return complain(hash.error().sentence);
+        fmt::print("{}: {} ticks, hash {:016x}\n", path.string(), run->size(), *hash);
+    }
+    return 0;
+}

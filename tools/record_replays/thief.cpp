@@ -1,0 +1,219 @@
+#include "thief.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "base/det_math.h"
+#include "raycore/query.h"
+#include "sim/doors.h"
+#include "sim/geometry.h"
+#include "sim/use_target.h"
+#include "world/eye.h"
+#include "world/layers.h"
+
+namespace gh::tools {
+
+namespace {
+
+using input::Button;
+using input::Command;
+using sim::flat;
+using sim::flat_length;
+
+constexpr float kArrived = 0.16f;      // metres from a place to stand
+constexpr float kTurnShare = 0.16f;    // of what is left to turn, a tick: a hand on a mouse
+constexpr float kMostTurn = 0.09f;     // radians a tick
+constexpr float kArmsLength = 1.35f;   // metres from the eye at which a thing is comfortably reached
+constexpr float kErrandDetour = 14.0f;  // metres a thief goes out of the way to put out a lamp
+
+// The view turned towards a direction, as quickly as a hand turns it.
+Command turned_towards(const world::PlayerState& player, const glm::vec3& way) {
+    const float yaw = world::radians_from_turn(player.yaw);
+    const float pitch = world::radians_from_turn(player.pitch);
+    const float left = wrap_angle(world::yaw_towards(way) - yaw);
+    const float up = det::atan2(way.y, flat_length(way)) - pitch;
+    return {.yaw = input::quantise_yaw(yaw + std::clamp(left * kTurnShare, -kMostTurn, kMostTurn)),
+            .pitch = input::quantise_pitch(pitch + std::clamp(up * kTurnShare, -kMostTurn, kMostTurn))};
+}
+
+// How well the view looks along a horizontal direction: 1 exactly, 0 sideways.
+float alignment(const world::PlayerState& player, const glm::vec3& way) {
+    const float length = flat_length(way);
+    if (!(length > 0.0f)) return 1.0f;
+    const glm::vec3 forward = world::forward_of_yaw(world::radians_from_turn(player.yaw));
+    return glm::dot(forward, flat(way)) / length;
+}
+
+bool looks_at(const world::PlayerState& player, const glm::vec3& point) {
+    const glm::vec3 way = point - world::eye_of(player);
+    return glm::dot(world::look_of(player), way) > 0.9995f * sim::length_of(way);
+}
+
+// Down now, if it was up a tick ago: the simulation acts on presses.
+void press(const world::PlayerState& player, Button button, Command& command) {
+    if ((player.buttons_before & button) == 0) command.buttons |= button;
+}
+
+template <class Things, class Place>
+std::uint32_t nearest_index(const sim::Navigation& navigation, const Things& things, const glm::vec3& to,
+                            const Place& place_of) {
+    std::uint32_t nearest = world::kNoIndex;
+    float best = kErrandDetour;
+    for (std::uint32_t i = 0; i < things.size(); ++i) {
+        const std::optional<glm::vec3> place = place_of(things[i]);
+        if (!place) continue;
+        const float metres = navigation.distance(*place, to).value_or(best);
+        if (metres < best) {
+            best = metres;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+}  // namespace
+
+Thief::Thief(const world::Level& level, const sim::Navigation& navigation) : level_(level), navigation_(navigation) {
+    if (level.lenses.empty()) return;
+    const glm::vec3 lens = level.lenses.front().centre;
+    switch_ = nearest_index(navigation, level.switches, lens,
+                            [](const world::Switch& it) { return std::optional(it.position); });
+    mirror_ = nearest_index(navigation, level.mirrors, lens, [](const world::Mirror& it) {
+        return it.turn_step != 0.0f ? std::optional(it.pivot) : std::nullopt;
+    });
+}
+
+Thief::Goal Thief::reach_for(const world::State& state, const glm::vec3& thing, std::uint32_t side) const {
+    // Places all round the thing, on the floor one can get to; `side` picks among them, the nearest first.
+    struct Stand {
+        glm::vec3 place;
+        float metres;
+    };
+    std::array<Stand, 12> stands;
+    std::size_t count = 0;
+    const glm::vec3 feet = state.player.position;
+    for (std::size_t i = 0; i < stands.size(); ++i) {
+        const float yaw = kTwoPi * static_cast<float>(i) / static_cast<float>(stands.size());
+        const glm::vec3 wanted = thing + world::forward_of_yaw(yaw) * 0.75f;
+        const std::optional<glm::vec3> place = navigation_.nearest({wanted.x, thing.y - 1.0f, wanted.z});
+        if (!place || flat_length(*place - thing) > 1.1f) continue;
+        const std::optional<float> metres = navigation_.distance(feet, *place);
+        if (metres) stands[count++] = {*place, *metres};
+    }
+    if (count == 0) return {.place = navigation_.nearest(thing).value_or(feet), .thing = thing, .is_thing = true};
+    std::stable_sort(stands.begin(), stands.begin() + static_cast<std::ptrdiff_t>(count),
+                     [](const Stand& a, const Stand& b) { return a.metres < b.metres; });
+    return {.place = stands[side % count].place, .thing = thing, .is_thing = true};
+}
+
+Thief::Goal Thief::goal_of(const world::State& state, const Manner& manner) const {
+    for (std::uint32_t i = 0; i < level_.lenses.size(); ++i) {
+        if (state.lens_taken[i] != 0) continue;
+        if (manner.runs_errands && mirror_ != world::kNoIndex && state.mirrors[mirror_].target == 0.0f) {
+            return reach_for(state, level_.mirrors[mirror_].pivot + glm::vec3(0.0f, 0.6f, 0.0f), manner.side);
+        }
+        if (manner.runs_errands && switch_ != world::kNoIndex &&
+            state.group_on[level_.switches[switch_].group] != 0) {
+            return reach_for(state, level_.switches[switch_].position, manner.side);
+        }
+        return reach_for(state, level_.lenses[i].centre, manner.side);
+    }
+    if (level_.exits.empty()) return {.place = state.player.position};
+    const world::Aabb& exit = level_.exits.front();
+    const glm::vec3 middle = (exit.min + exit.max) * 0.5f;
+    return {.place = navigation_.nearest({middle.x, exit.min.y, middle.z}).value_or(middle)};
+}
+
+Command Thief::open_door(const world::Snapshot& now, std::uint32_t door) const {
+    const world::PlayerState& player = now.state.player;
+    const world::DoorState& it = now.state.doors[door];
+    const glm::vec3 handle = level_.doors[door].handle;
+    Command command = turned_towards(player, handle - world::eye_of(player));
+    if (it.wants_open == 0) {
+        const sim::UseTarget target = sim::use_target(level_, now, player);
+        if (target.kind == sim::UseKind::Door && target.index == door) {
+            press(player, Button::Use, command);
+        } else if (looks_at(player, handle)) {
+            command.move_forward = 50;
+        }
+        return command;
+    }
+    // It swings; make room in case it swings this way.
+    if (flat_length(handle - player.position) < 0.9f) command.move_forward = -70;
+    return command;
+}
+
+Command Thief::go(const world::Snapshot& now, const glm::vec3& place, Move move) const {
+    const world::PlayerState& player = now.state.player;
+    std::array<glm::vec3, world::kMaxPathCorners> corners;
+    const sim::Path path = navigation_.find_path(player.position, place, corners);
+    std::size_t next = 0;
+    while (next + 1 < path.corners && flat_length(corners[next] - player.position) < 0.2f) ++next;
+    const glm::vec3 way = flat((path.corners > 0 ? corners[next] : place) - player.position);
+
+    // A closed door ahead is opened, whatever else is on.
+    const glm::vec3 chest = player.position + glm::vec3(0.0f, 1.0f, 0.0f);
+    const glm::vec3 ahead = sim::unit_or_zero(way) * 1.1f;
+    if (ahead != glm::vec3(0.0f)) {
+        const auto hit = rc::sphere_cast(*now.scene, chest, 0.2f, ahead, world::Solid);
+        if (hit && level_.parts[hit->instance].mover == world::Mover::Door) {
+            const std::uint32_t door = level_.parts[hit->instance].mover_index;
+            if (sim::openness(level_, now.state, door) < 0.95f) return open_door(now, door);
+        }
+    }
+    const glm::vec3 gaze = way + glm::vec3(0.0f, -0.06f * flat_length(way), 0.0f);
+    Command command = turned_towards(player, gaze);
+    const float pace = std::clamp((alignment(player, way) - 0.4f) / 0.5f, 0.0f, 1.0f);
+    const float brake = std::clamp(flat_length(place - player.position) / 0.5f, 0.25f, 1.0f);
+    command.move_forward = input::quantise_move(pace * brake);
+    if (move == Move::Sneak) command.buttons |= Button::Crouch;
+    if (move == Move::Run) command.buttons |= Button::Run;
+    return command;
+}
+
+Command Thief::handle_thing(const world::Snapshot& now, const glm::vec3& thing) const {
+    const world::PlayerState& player = now.state.player;
+    const glm::vec3 eye = world::eye_of(player);
+    Command command = turned_towards(player, thing - eye);
+    const sim::UseTarget target = sim::use_target(level_, now, player);
+    const bool is_lid = target.kind == sim::UseKind::Door;
+    const bool is_lid_moving = is_lid && now.state.doors[target.index].wants_open != 0;
+    if (!looks_at(player, thing)) return command;
+    if (target.kind != sim::UseKind::Nothing && !is_lid_moving) press(player, Button::Use, command);
+    if (target.kind == sim::UseKind::Nothing && sim::length_of(thing - eye) > kArmsLength) command.move_forward = 40;
+    return command;
+}
+
+Command Thief::steal(const world::Snapshot& now, const Manner& manner) const {
+    const world::PlayerState& player = now.state.player;
+    if (manner.move == Move::Wait) {
+        return {.yaw = player.yaw, .pitch = player.pitch, .buttons = Button::Crouch};
+    }
+    if (manner.move == Move::GoBack) return go(now, level_.spawn.position, Move::Walk);
+    const Goal goal = goal_of(now.state, manner);
+    const bool is_there = flat_length(goal.place - player.position) < kArrived;
+    const bool is_in_reach = goal.is_thing && sim::length_of(goal.thing - world::eye_of(player)) < kArmsLength;
+    if (goal.is_thing && (is_there || is_in_reach)) return handle_thing(now, goal.thing);
+    return go(now, goal.place, manner.move);
+}
+
+Command Thief::get_caught(const world::Snapshot& now) const {
+    const world::State& state = now.state;
+    if (state.rules.outcome == world::Outcome::Caught || level_.guards.empty()) {
+        Command command{.yaw = state.player.yaw, .pitch = state.player.pitch};
+        if (state.tick > state.rules.outcome_tick + 150) press(state.player, Button::Use, command);
+        return command;
+    }
+    std::size_t nearest = 0;
+    for (std::size_t g = 1; g < level_.guards.size(); ++g) {
+        const float distance = flat_length(state.guards[g].position - state.player.position);
+        if (distance < flat_length(state.guards[nearest].position - state.player.position)) nearest = g;
+    }
+    const glm::vec3 guard = state.guards[nearest].position;
+    if (flat_length(guard - state.player.position) > 3.0f) return go(now, guard, Move::Walk);
+    return turned_towards(state.player, guard + glm::vec3(0.0f, 1.6f, 0.0f) - world::eye_of(state.player));
+}
+
+}  // namespace gh::tools
