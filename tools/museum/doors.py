@@ -35,17 +35,17 @@ def leaf(width, height, wood, handed):
                            (0.14, w - 0.134, h - 0.16, h), (0.14, w - 0.134, 0.94, 1.10)):
         parts.append(block(x0, -t, z0, x1, t, z1, wood, 0.007))
     for z0, z1 in ((0.30, 0.90), (1.14, h - 0.20)):
-        parts.append(block(0.18, -t + 0.002, z0, w - 0.174, t - 0.002, z1, wood, 0.012))
+        face = meshkit.raised_panel(0.18, z0, w - 0.174, z1, -t + 0.012, 0.010, 0.03, wood)
+        parts += [face, face.mapped(lambda p: (w + 0.006 - p[0], -p[1], p[2]))]
     knob_x = w - 0.068
     for side in (-1, 1):
         rose = lathe([(0.0, 0.0), (0.032, 0.0), (0.028, 0.008), (0.012, 0.012), (0.010, 0.04), (0.022, 0.05), (0.030, 0.065),
-                      (0.024, 0.082), (0.0, 0.088)], "brass", 16).turned(-90 * side, "x")
-        rose = rose if side > 0 else rose
+                      (0.024, 0.082), (0.0, 0.088)], "brass", 10).turned(-90 * side, "x")
         parts.append(rose.moved(knob_x, side * t, 1.02))
         parts.append(block(knob_x - 0.035, side * t - 0.004, 0.86, knob_x + 0.035, side * t + 0.004, 1.12, "brass", 0.003))
         parts.append(block(0.10, side * t - 0.003, 0.03, w - 0.10, side * t + 0.003, 0.20, "brass", 0.002))
     for z in (0.25, 1.05, h - 0.25):
-        parts.append(lathe([(0.0, z - 0.05), (0.012, z - 0.05), (0.012, z + 0.05), (0.0, z + 0.05)], "brass", 10))
+        parts.append(lathe([(0.0, z - 0.05), (0.012, z - 0.05), (0.012, z + 0.05), (0.0, z + 0.05)], "brass", 6))
     shape = joined(parts)
     return shape if handed > 0 else shape.turned(180)
 

@@ -1,14 +1,16 @@
 """The Hall of Mirrors, the Lens Cabinet with its vitrine, the reading room and the workshop."""
 import doors
 import furniture as f
+import instruments
 import lamps
+import light
 import meshkit
 import mirrors
 import mouldings
 import plan
 import scene
 import statues
-from meshkit import ball, block, joined, lathe, slab, tube
+from meshkit import joined, lathe, slab, sweep, tube
 
 Z = plan.HIGH
 
@@ -16,7 +18,7 @@ Z = plan.HIGH
 def hall():
     mirrors.hang()
     scene.mesh("settee", f.settee(), (0, 13.2, Z))
-    pilaster = meshkit.to_mesh(mouldings.pilaster(4.95, 0.5, "marble_rose"), "pilaster")
+    pilaster = meshkit.to_mesh(mouldings.pilaster(4.95, 0.5, "marble_rose", "marble_black"), "pilaster")
     n = 0
     for y, turn in ((8.4, 180), (18.2, 0)):
         for x in (-7.2, -4.4, -1.85, 1.85, 4.4, 7.2) if turn == 0 else (-7.2, -6.0, -3.1, -1.9, 1.9, 3.1, 6.0, 7.2):
@@ -26,15 +28,28 @@ def hall():
         for y in (9.8, 13.2, 17.2) if x < 0 else (9.9, 14.2, 17.5):
             n += 1
             scene.mesh(f"pilaster_{n}", pilaster, (x, y, Z), turn)
+    _gilt_panels()
+    stand = meshkit.to_mesh(instruments.torchere(), "torchere")
+    for name, x in (("hall_nw", -1.55), ("hall_ne", 1.55)):
+        scene.mesh("torchere_" + name, stand, (x, 17.75, Z))
+        light.bulb(name, (x, 17.75, Z + 2.03), 0.8, 2.0, "hall_sconces", 0.11)
     lamps.chandelier("hall", (0, 13.2, 4.4), 6.8, "hall", 1.5, 3.6)
-    for name, x, y, turn in (("hall_sw", -1.85, 8.5, 180), ("hall_ne", 1.85, 18.1, 0), ("hall_e", 7.9, 14.2, -90)):
+    for name, x, y, turn in (("hall_sw", -1.85, 8.5, 180), ("hall_e", 7.9, 14.2, -90)):
         lamps.sconce(name, (x, y, Z + 2.2), turn, "hall_sconces", 0.9, 2.3)
-    doors.switch("hall", (1.45, 8.4, Z + 1.25), 180, "hall", "Chandelier")
-    doors.switch("hall_sconces", (-1.45, 18.2, Z + 1.25), 0, "hall_sconces", "Hall sconces")
+    doors.switch("hall", (2.5, 8.4, Z + 1.25), 180, "hall", "Chandelier")
+    doors.switch("hall_sconces", (-2.5, 8.4, Z + 1.25), 180, "hall_sconces", "Hall sconces")
     mouldings.coffers("hall", [-7.86, -5.2, -2.64, 2.64, 5.2, 7.86], [8.54, 11.06, 15.34, 18.06], 6.2, plan.SKYLIGHTS["hall"])
     bench = meshkit.to_mesh(f.bench(1.6), "hall_bench")
     scene.mesh("hall_bench_e", bench, (6.0, 9.6, Z), 0)
     scene.mesh("hall_bench_w", bench, (-7.3, 12.9, Z), 90)
+
+
+def _gilt_panels():
+    """Thin gilded mouldings on the silk between the pilasters and over the mirrors."""
+    bead = [(0.0, 0.0), (0.0, 0.012), (0.02, 0.022), (0.04, 0.012), (0.04, 0.0)]
+    for i, (x, y, turn, w, z0, z1) in enumerate(((-6.6, 8.4, 180, 0.7, 1.0, 4.6), (6.6, 8.4, 180, 0.7, 1.0, 4.6), (8.0, 10.75, -90, 0.9, 1.0, 4.6))):
+        frame = sweep(bead, [(-w / 2, z0), (w / 2, z0), (w / 2, z1), (-w / 2, z1)], "gilt", True).mapped(lambda p: (p[0], -p[2], p[1]))
+        scene.mesh(f"gilt_panel_{i}", frame, (x, y, Z), turn)
 
 
 def cabinet():
@@ -47,34 +62,44 @@ def cabinet():
     scene.mesh("lens_stand", stand, (0.0, 22.0, top + 0.105))
     scene.mesh("vitrine_ropes", f.rope_posts([(-1.5, 20.9), (-1.5, 23.2), (1.5, 23.2), (1.5, 20.9)]), (0, 0, Z))
     scene.mesh("cabinet_rug", slab(3.6, 3.2, 0.012, "carpet", 0.004, 0.001), (0, 22.0, Z))
-    lamps.spot_can("vitrine", (0.0, 19.9, 4.55), (0.0, 22.0, 1.75), "cabinet", 4.0, 26)
-    lamps.sconce("cabinet_w", (-3.6, 24.0, Z + 2.1), 90, "cabinet", 0.7, 2.3)
+    lamps.spot_can("vitrine", (0.0, 20.1, 4.55), (0.0, 22.0, 1.75), "cabinet", 14.0, 24)
+    lamps.lantern("cabinet", (0.0, 24.1, 4.0), 4.93, "cabinet", 1.2, 2.6)
+    lamps.sconce("cabinet_w", (-3.6, 23.6, Z + 2.1), 90, "cabinet", 1.8, 2.3)
     doors.switch("cabinet", (1.35, 18.6, Z + 1.25), 180, "cabinet", "Cabinet lamps")
-    for i, (x, y) in enumerate(((-2.9, 24.3), (2.9, 24.3), (-2.9, 19.3), (2.9, 19.3))):
+    for i, (x, y) in enumerate(((-2.9, 24.3), (2.9, 24.3), (-2.9, 19.3))):
         scene.mesh(f"cabinet_plinth_{i}", statues.plinth(0.5, 1.0, "marble_green"), (x, y, Z))
         scene.mesh(f"cabinet_urn_{i}", statues.urn(0.75, "marble_rose"), (x, y, Z + 1.0))
-    f.hang_picture("cabinet", "spheres", (0.0, 25.0, Z + 2.0), 0, 2.0)
+    size = f.hang_picture("cabinet", "prism", (0.0, 25.0, Z + 2.0), 0, 2.0)
+    lamps.picture_light("cabinet", (0.0, 25.0, Z + 2.0), 0, *size, "cabinet", 1.8)
+    mouldings.coffers("cabinet", [-3.46, -1.34, 1.34, 3.46], [18.74, 20.46, 23.14, 24.86], 5.2, plan.SKYLIGHTS["cabinet"])
+    scene.mesh("cabinet_telescope", instruments.telescope(), (2.5, 19.5, Z), 150)
 
 
 def library():
     for i, (x, w) in enumerate(((-11.6, 2.4), (-9.0, 2.4), (-6.4, 2.4))):
         scene.mesh(f"bookcase_n{i}", f.bookcase(w, 2.9, 20 + i), (x, 25.0, Z), 0)
-    scene.mesh("bookcase_w0", f.bookcase(2.4, 2.9, 30), (-13.0, 22.8, Z), 90)
+    mantel, embers = instruments.fireplace()
+    scene.mesh("fireplace", mantel, (-13.0, 22.6, Z), 90)
+    scene.mesh("embers", embers, (-13.0, 22.6, Z), 90, kind="glow")
+    light.bulb("embers", (-12.72, 22.6, Z + 0.2), 0.22, 1.5, "fire", 0.05, (1.0, 0.28, 0.06))
+    f.hang_picture("library", "scholar", (-13.0, 22.6, Z + 2.55), 90, 1.0)
+    scene.mesh("library_rug", slab(3.4, 2.6, 0.012, "carpet", 0.004, 0.001), (-8.4, 21.9, Z))
     scene.mesh("bookcase_w1", f.bookcase(2.4, 2.9, 31), (-13.0, 20.1, Z), 90)
     scene.mesh("bookcase_s", f.bookcase(2.4, 2.9, 32), (-6.8, 18.6, Z), 180)
     scene.mesh("library_table", f.desk(2.2), (-8.4, 21.9, Z), 0)
     for i, (x, y, turn) in enumerate(((-8.9, 22.6, 180), (-7.8, 21.0, 0))):
         scene.mesh(f"library_chair_{i}", f.chair(), (x, y, Z), turn)
-    lamps.table_lamp("library_desk", (-8.9, 21.9, Z + 0.785), 90, "library", 2.4, 1.1)
-    lamps.pendant("library", (-10.6, 20.2, 3.3), 4.6, "library", 1.6, 2.5)
-    scene.mesh("globe", joined([ball(0.42, "marble_green", 32, 20).moved(0, 0, 0.92), statues._ring(0.46, 0.012, 90).moved(0, 0, 0.92), statues._ring(0.47, 0.014).moved(0, 0, 0.92),
-                                lathe([(0.0, 0.0), (0.34, 0.0), (0.32, 0.05), (0.06, 0.10), (0.05, 0.40), (0.0, 0.47)], "oak_dark", 24)]), (-5.4, 23.6, Z))
+    lamps.table_lamp("library_desk", (-8.9, 21.9, Z + 0.785), 90, "library", 4.5, 1.1)
+    lamps.pendant("library", (-10.6, 20.2, 3.3), 4.6, "library", 3.0, 2.5)
+    scene.mesh("globe", instruments.globe(), (-5.3, 23.4, Z))
     doors.switch("library", (-9.4, 18.6, Z + 1.25), 180, "library", "Reading room lamps")
 
 
 def workshop():
     for i, (x, y, turn) in enumerate(((6.4, 24.4, 180), (9.6, 24.4, 180), (8.4, 21.4, 0))):
         scene.mesh(f"workbench_{i}", f.counter(2.4), (x, y, Z), turn + 180)
+    scene.mesh("grinder", instruments.grinder(), (5.6, 21.0, Z), 40)
+    scene.mesh("workshop_telescope", instruments.telescope(), (11.8, 20.2, Z), -140)
     scene.mesh("workshop_shelves", f.bookcase(2.2, 2.6, 40), (13.0, 22.4, Z), -90)
     scene.mesh("workshop_crates", f.crates(7), (12.0, 24.2, Z), 30)
     for i, (x, y, r, tilt) in enumerate(((6.0, 24.3, 0.13, 70), (6.7, 24.4, 0.09, 90), (8.0, 21.4, 0.16, 80), (9.9, 24.4, 0.11, 60))):
@@ -83,8 +108,8 @@ def workshop():
                         lathe([(0.0, 0.0), (0.06, 0.0), (0.05, 0.015), (0.012, 0.03), (0.01, 0.05), (0.0, 0.055)], "brass", 16)])
         scene.mesh(f"bench_lens_{i}", glass, (x, y, Z + 1.06), 20 * i)
         scene.mesh(f"bench_lens_frame_{i}", frame, (x, y, Z + 1.06), 20 * i)
-    lamps.pendant("workshop", (8.4, 21.4, 3.0), 4.6, "workshop", 2.4, 2.0)
-    lamps.table_lamp("workshop_bench", (9.2, 24.4, Z + 1.06), 0, "workshop", 2.0, 1.0)
+    lamps.pendant("workshop", (8.4, 21.4, 3.0), 4.6, "workshop", 4.0, 2.0)
+    lamps.table_lamp("workshop_bench", (9.2, 24.4, Z + 1.06), 0, "workshop", 3.5, 1.0)
     doors.switch("workshop", (9.7, 18.6, Z + 1.25), 180, "workshop", "Workshop lamps")
 
 

@@ -10,7 +10,7 @@ from meshkit import Shape, ball, block, joined, lathe, slab, tube
 
 def bench(length=1.6):
     """Upholstered, on turned legs: high enough to crouch behind."""
-    legs = [lathe([(0.0, 0.0), (0.03, 0.0), (0.022, 0.06), (0.035, 0.12), (0.028, 0.30), (0.04, 0.36), (0.0, 0.36)], "oak_dark", 12).moved(x, y)
+    legs = [lathe([(0.0, 0.0), (0.03, 0.0), (0.022, 0.06), (0.035, 0.12), (0.028, 0.30), (0.04, 0.36), (0.0, 0.36)], "oak_dark", 8).moved(x, y)
             for x in (-length / 2 + 0.1, length / 2 - 0.1) for y in (-0.17, 0.17)]
     return joined(legs + [slab(length, 0.48, 0.07, "oak_dark", 0.012, 0.34), slab(length - 0.02, 0.46, 0.11, "velvet_red", 0.04, 0.40)])
 
@@ -29,7 +29,7 @@ def rope_posts(path, closed=False):
     """Brass posts joined by sagging velvet ropes."""
     shape = Shape()
     post = lathe([(0.0, 0.0), (0.16, 0.0), (0.16, 0.015), (0.05, 0.035), (0.022, 0.06), (0.02, 0.88), (0.035, 0.90), (0.022, 0.93), (0.04, 0.96),
-                  (0.03, 1.0), (0.0, 1.01)], "brass", 20)
+                  (0.03, 1.0), (0.0, 1.01)], "brass", 14)
     for x, y in path:
         shape.add(post.moved(x, y))
     ends = path + path[:1] if closed else path
@@ -89,10 +89,19 @@ def bookcase(width, height, seed):
                 continue
             colour = pick.choice(["book_red", "book_green", "book_blue", "book_tan", "leather", "book_tan"])
             depth = pick.uniform(0.18, 0.23)
-            parts.append(block(x, -0.30, z + 0.03, x + thick - 0.003, -0.30 + depth, z + 0.03 + tall, colour, 0.0))
+            parts.append(_book(x, x + thick - 0.003, -0.30, -0.30 + depth, z + 0.03, z + 0.03 + tall, colour))
             x += thick
         z += 0.36
     return joined(parts)
+
+
+def _book(x0, x1, y0, y1, z0, z1, colour):
+    """Spine, boards and top edge: on a shelf nobody sees the rest."""
+    shape = Shape()
+    shape.points = [(x0, y0, z0), (x1, y0, z0), (x1, y0, z1), (x0, y0, z1), (x0, y1, z0), (x1, y1, z0), (x1, y1, z1), (x0, y1, z1)]
+    for c, m in (((0, 1, 2, 3), colour), ((4, 0, 3, 7), colour), ((1, 5, 6, 2), colour), ((3, 2, 6, 7), "paper")):
+        shape.face(c, m)
+    return shape
 
 
 def coat_rack(length):
@@ -131,6 +140,7 @@ def hang_picture(name, art, at, turn, width):
     shape.add(block(-0.14, -0.035, -height / 2 - 0.115, 0.14, -0.02, -height / 2 - 0.06, "brass", 0.004))
     a = math.radians(turn)
     scene.mesh("picture_" + name, shape, (at[0] + 0.02 * math.sin(a), at[1] - 0.02 * math.cos(a), at[2]), turn)
+    return width + 0.26, height + 0.26
 
 
 def glass_box(w, d, z0, z1, t=0.008):

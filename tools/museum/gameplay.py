@@ -19,12 +19,12 @@ ROUND = [
 
 # name: (from, to, horizontal field of view in degrees)
 CAMERAS = {
-    "cam_foyer": ((-6.9, -10.0, 1.75), (1.6, -1.0, 2.3), 80), "cam_armillary": ((3.6, -8.3, 1.5), (-0.6, -3.2, 2.6), 70),
+    "cam_foyer": ((-3.3, -10.4, 1.7), (0.7, -2.4, 2.7), 80), "cam_armillary": ((3.6, -8.3, 1.5), (-0.6, -3.2, 2.6), 70),
     "cam_stair": ((0.9, -0.6, 1.65), (-0.1, 9.0, 2.6), 70), "cam_mirrors": ((6.9, 9.4, 2.5), (-2.6, 15.0, 2.5), 80),
-    "cam_mirrors_north": ((-6.4, 16.9, 2.45), (2.2, 11.0, 2.3), 78), "cam_vitrine": ((1.9, 19.5, 2.35), (-0.3, 22.4, 1.75), 70),
-    "cam_gallery": ((-9.2, -5.6, 1.65), (-11.2, 8.0, 1.9), 72), "cam_sculpture": ((12.2, -5.4, 1.65), (10.0, 6.0, 1.9), 72),
-    "cam_library": ((-4.7, 19.3, 2.45), (-10.5, 23.6, 2.0), 78), "cam_workshop": ((12.3, 19.3, 2.45), (6.4, 23.6, 1.9), 78),
-    "cam_vestibule": ((0.8, -9.6, 1.65), (-0.2, -15.4, 1.9), 75), "cam_cloakroom": ((-13.4, -7.5, 1.65), (-9.0, -9.6, 1.4), 80),
+    "cam_mirrors_north": ((-6.4, 16.9, 2.45), (2.2, 11.0, 2.3), 78), "cam_vitrine": ((1.35, 20.3, 2.35), (-0.5, 22.6, 1.65), 72),
+    "cam_gallery": ((-9.5, -6.0, 1.65), (-11.2, 6.0, 2.0), 74), "cam_sculpture": ((10.3, -6.1, 1.65), (10.9, 6.0, 1.8), 74),
+    "cam_library": ((-4.7, 19.3, 2.45), (-10.5, 23.6, 2.0), 78), "cam_workshop": ((10.9, 18.9, 2.4), (6.6, 23.6, 1.8), 78),
+    "cam_vestibule": ((2.4, -11.9, 1.65), (-0.6, -15.4, 1.7), 78), "cam_cloakroom": ((-13.4, -7.5, 1.65), (-9.0, -9.6, 1.4), 80),
     "cam_plan": ((0.0, 4.8, 60.0), (0.0, 4.801, 0.0), 50),
 }
 
@@ -62,7 +62,7 @@ def place():
     scene.empty("exit", (0.0, -14.5, 1.2), kind="exit", size=[4.0, 2.4, 1.5])
     for name, x, y, z, turn, wait, look in ROUND:
         scene.empty(name, (x, y, z), turn, kind="patrol", wait_s=wait, look=look)
-    scene.empty("guard_1", (0.0, 1.6, 0.0), 0, kind="guard", patrol=",".join(r[0] for r in ROUND[2:] + ROUND[:2]),
+    scene.empty("guard_1", (0.0, 4.6, 0.0), 0, kind="guard", patrol=",".join(r[0] for r in ROUND[2:] + ROUND[:2]),
                 model="guard", title="Night guard")
     for name, (at, target, fov) in CAMERAS.items():
         scene.camera(name, at, target, fov)

@@ -136,12 +136,29 @@ def chandelier(name, at, ceiling, group, pool=2.0, reach=4.0):
     light.bulb(name, at, pool, reach, group, 0.17)
 
 
+def picture_light(name, at, turn, width, height, group, pool=1.6):
+    """A brass tube on two arms over a picture (its middle `at`, on the wall), and the beam that falls down its face."""
+    top, half = height / 2 + 0.20, width * 0.28
+    metal = joined([tube([(-half, -0.26, top), (half, -0.26, top)], 0.030, "brass", 12)] +
+                   [tube([(x, 0.0, top - 0.16), (x, -0.16, top - 0.02), (x, -0.26, top)], 0.008, "brass", 6) for x in (-half * 0.6, half * 0.6)])
+    lit = block(-half * 0.92, -0.262, top - 0.034, half * 0.92, -0.242, top - 0.0285, "enamel_lit", 0.0)
+    scene.mesh("picture_light_" + name, metal, at, turn)
+    scene.mesh("shade_picture_" + name, lit, at, turn, kind="glow", group=group)
+    a = math.radians(turn)
+
+    def out(distance, z):
+        return (at[0] + distance * math.sin(a), at[1] - distance * math.cos(a), at[2] + z)
+
+    # from further out than the tube, as if through its reflector: a point so near the wall would burn a hole in the picture
+    scene.spot("spot_picture_" + name, out(1.3, top + 0.75), out(0.0, -0.10), light.spot_intensity(pool, 1.9), palette.WARM,
+               math.degrees(2 * math.atan(0.62 * max(width, height) / 1.9)), 0.5, kind="lamp", group=group)
+
+
 def spot_can(name, at, target, group, pool, cone_deg):
     """A small brass theatre lamp on a ceiling track, whose beam is a spot."""
     can = joined([lathe([(0.0, 0.12), (0.05, 0.12), (0.065, 0.09), (0.065, -0.08), (0.07, -0.085), (0.07, -0.10), (0.062, -0.10)], "brass", 20),
                   tube([(0, 0, 0.1), (0, 0, 0.32)], 0.012, "brass", 8)])
     face = lathe([(0.0, -0.07), (0.06, -0.07)], "enamel_lit", 20)
-    face.faces = [(c[::-1], m, uv[::-1]) for c, m, uv in face.faces]
     d = [t - a for t, a in zip(target, at)]
     tilt = math.degrees(math.atan2(math.hypot(d[0], d[1]), -d[2]))
     heading = math.degrees(math.atan2(-d[0], d[1]))

@@ -1,6 +1,7 @@
 """How bright a lamp must be. The renderer takes radiance for bulbs and skies (W/m2/sr) and candela for spots; what a
 designer knows is how bright a pool on the floor should be. E is irradiance in W/m2: a warm pool is 1.5 to 4,
-moonlight 0.05 to 0.15."""
+a patch of moonlight 0.35 to 0.75
+(a night's true moon is a thousand times less; this is what the eye makes of it)."""
 import math
 
 import meshkit
@@ -39,9 +40,9 @@ def off_unless(on):
 # where each skylight's moon stands, from the middle of the glass: its patch falls on the other side. The last
 # number is E on the floor.
 MOONS = {
-    "foyer": ((-2.8, -2.0, 6.2), 0.16), "hall": ((2.4, -2.4, 5.8), 0.12), "cabinet": ((-1.6, 1.2, 4.6), 0.10),
-    "west_south": ((-1.4, 1.0, 5.4), 0.12), "west_mid": ((-1.6, -1.2, 5.4), 0.13), "west_north": ((-1.6, 1.2, 5.4), 0.12),
-    "east_south": ((1.4, 1.0, 5.4), 0.12), "east_mid": ((1.6, -1.2, 5.4), 0.13), "east_north": ((1.6, 1.2, 5.4), 0.12),
+    "foyer": ((-2.8, -2.0, 6.2), 0.75), "hall": ((2.4, -2.4, 5.8), 0.35), "cabinet": ((-1.6, 1.2, 4.6), 0.35),
+    "west_south": ((-1.4, 1.0, 5.4), 0.45), "west_mid": ((-1.6, -1.2, 5.4), 0.45), "west_north": ((-1.6, 1.2, 5.4), 0.45),
+    "east_south": ((1.4, 1.0, 5.4), 0.45), "east_mid": ((1.6, -1.2, 5.4), 0.45), "east_north": ((1.6, 1.2, 5.4), 0.45),
 }
 
 
@@ -72,3 +73,20 @@ def skies():
     sky("cabinet", (-3.0, 19.6, 3.0, 24.4, 10.9), 0.05, plan.HIGH)
     sky("west", (-14.0, -5.5, -8.8, 17.5, 10.9), 0.10, plan.LOW)
     sky("east", (8.8, -5.5, 14.0, 17.5, 10.9), 0.10, plan.LOW)
+
+
+def stars():
+    """A few hundred small glints on the walls and the top of every closed night, the same in every build."""
+    import random
+    pick = random.Random(9)
+    shape = meshkit.Shape()
+    for x0, y0, z0, x1, y1, z1 in plan.NIGHTS.values():
+        for _ in range(int((x1 - x0) * (y1 - y0) * 0.9) + 30):
+            side, r = pick.randrange(4), pick.uniform(0.008, 0.022)
+            u, z = pick.random(), z0 + (z1 - z0) * (1 - pick.random() ** 2) * 0.95
+            x, y = ((x0 + 0.03, y0 + (y1 - y0) * u), (x1 - 0.03, y0 + (y1 - y0) * u), (x0 + (x1 - x0) * u, y0 + 0.03), (x0 + (x1 - x0) * u, y1 - 0.03))[side]
+            a, base = (0, 1, 0) if side < 2 else (1, 0, 0), len(shape.points)
+            for du, dz in ((-r, 0), (0, -r), (r, 0), (0, r)):
+                shape.points.append((x + a[0] * du, y + a[1] * du, z + dz))
+            shape.face([base, base + 1, base + 2, base + 3], "star")
+    scene.mesh("stars", shape, kind="glow", layers="light")

@@ -53,7 +53,8 @@ def joined(shapes):
 
 def block(x0, y0, z0, x1, y1, z1, material, bevel=0.01):
     """A box whose twelve edges are cut off at 45 degrees: no edge in the museum is a knife's."""
-    b = max(0.0, min(bevel, 0.45 * min(x1 - x0, y1 - y0, z1 - z0)))
+    b = min(bevel, 0.45 * min(x1 - x0, y1 - y0, z1 - z0))
+    b = 0.0 if b < 0.0045 else b  # too fine to be seen, and four times the triangles
     low, high = (x0, y0, z0), (x1, y1, z1)
     shape, index = Shape(), {}
     signs = [(i, j, k) for i in (0, 1) for j in (0, 1) for k in (0, 1)]
@@ -84,6 +85,18 @@ def block(x0, y0, z0, x1, y1, z1, material, bevel=0.01):
         for s in signs:
             corner = [index[s, 0], index[s, 1], index[s, 2]]
             shape.face(corner if sum(s) % 2 == 1 else corner[::-1], material)
+    return shape
+
+
+def raised_panel(x0, z0, x1, z1, y, height, slope, material):
+    """A field that stands out of a wall to -y from the plane `y`, its four edges sloped: no back, it lies on the wall."""
+    shape, front = Shape(), y - height
+    shape.points = [(x0, y, z0), (x1, y, z0), (x1, y, z1), (x0, y, z1),
+                    (x0 + slope, front, z0 + slope), (x1 - slope, front, z0 + slope), (x1 - slope, front, z1 - slope), (x0 + slope, front, z1 - slope)]
+    shape.face([4, 5, 6, 7], material)
+    for i in range(4):
+        j = (i + 1) % 4
+        shape.face([i, j, 4 + j, 4 + i], material)
     return shape
 
 

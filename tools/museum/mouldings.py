@@ -8,13 +8,14 @@ import plan
 import scene
 from meshkit import Shape, block, extruded, joined, lathe, sweep
 
-SKIRTING = [(0.0, 0.0), (0.0, 0.22), (0.010, 0.22), (0.018, 0.20), (0.018, 0.175), (0.03, 0.165), (0.03, 0.0)]
-DADO = [(0.0, -0.05), (0.0, 0.04), (0.03, 0.04), (0.045, 0.02), (0.045, 0.0), (0.02, -0.015), (0.015, -0.05)]
-PICTURE_RAIL = [(0.0, -0.04), (0.0, 0.03), (0.025, 0.03), (0.03, 0.01), (0.012, -0.04)]
-CORNICE = [(0.0, -0.42), (0.0, 0.0), (0.34, 0.0), (0.34, -0.05), (0.30, -0.06), (0.27, -0.10), (0.20, -0.14), (0.16, -0.21),
+# (out of the wall, up); they begin 4 mm inside the wall, floor or ceiling they lie on, so that no two faces share a plane
+SKIRTING = [(-0.004, -0.004), (-0.004, 0.22), (0.010, 0.22), (0.018, 0.20), (0.018, 0.175), (0.03, 0.165), (0.03, -0.004)]
+DADO = [(-0.004, -0.05), (-0.004, 0.04), (0.03, 0.04), (0.045, 0.02), (0.045, 0.0), (0.02, -0.015), (0.015, -0.05)]
+PICTURE_RAIL = [(-0.004, -0.04), (-0.004, 0.03), (0.025, 0.03), (0.03, 0.01), (0.012, -0.04)]
+CORNICE = [(-0.004, -0.42), (-0.004, 0.004), (0.34, 0.004), (0.34, -0.05), (0.30, -0.06), (0.27, -0.10), (0.20, -0.14), (0.16, -0.21),
            (0.15, -0.26), (0.09, -0.28), (0.07, -0.34), (0.03, -0.36), (0.03, -0.42)]
 SMALL_CORNICE = [(out * 0.55, up * 0.55) for out, up in CORNICE]
-ARCHITRAVE = [(0.0, 0.0), (0.16, 0.0), (0.16, 0.045), (0.145, 0.055), (0.13, 0.045), (0.05, 0.032), (0.04, 0.022), (0.0, 0.022)]
+ARCHITRAVE = [(0.0, -0.004), (0.16, -0.004), (0.16, 0.045), (0.145, 0.055), (0.13, 0.045), (0.05, 0.032), (0.04, 0.022), (0.0, 0.022)]
 
 # room: (skirting, dado height or 0 with its panels' material, picture rail height or 0, cornice)
 TRIM = {
@@ -34,7 +35,7 @@ def _run(profile, path, material, z, closed):
     return sweep([(out, up + z) for out, up in profile[::-1]], path, material, closed)
 
 
-def _panels(path, z0, height, closed):
+def _panels(path, z0, height, closed, material):
     """Raised panels on the wall under the dado rail, as many as fit each straight piece."""
     shape = Shape()
     ends = path + path[:1] if closed else path
@@ -47,13 +48,8 @@ def _panels(path, z0, height, closed):
         step = (length - 0.2) / count
         for i in range(count):
             u = 0.1 + step * i + 0.08
-            raised = block(u, -0.005, z0 + 0.34, u + step - 0.16, 0.022, z0 + height - 0.14, "", 0.02)
-            shape.add(raised.turned(turn).moved(ax, ay))
-    return shape
-
-
-def _painted(shape, material):
-    shape.faces = [(c, material, uv) for c, _, uv in shape.faces]
+            raised = meshkit.raised_panel(-u - step + 0.16, z0 + 0.34, -u, z0 + height - 0.14, 0.0, 0.022, 0.03, material)
+            shape.add(raised.turned(turn + 180).moved(ax, ay))
     return shape
 
 
@@ -66,7 +62,7 @@ def trim_rooms():
             shape.add(_run(SKIRTING, path, skirting, z0, closed))
             if dado:
                 shape.add(_run(DADO, path, panel, z0 + dado, closed))
-                shape.add(_painted(_panels(path, z0, dado, closed), panel))
+                shape.add(_panels(path, z0, dado, closed, panel))
         if rail:
             for path, closed in plan.wall_runs(name, z0 + rail):
                 shape.add(_run(PICTURE_RAIL, path, wood, z0 + rail, closed))
@@ -87,7 +83,7 @@ def surround_openings():
             name.split("_")[0], "oak_dark") if grand else "oak_dark"
         shape, height = Shape(), z1 - z0
         path = [(-width / 2, 0.0), (-width / 2, height), (width / 2, height), (width / 2, 0.0)]
-        band = sweep([(-out + 0.0, up) for out, up in ARCHITRAVE], [(x, y) for x, y in path], material)
+        band = sweep(ARCHITRAVE, path, material)
         # the sweep lies flat: stand it up, its thickness to -y, 0.2 m before the wall's middle
         outer = band.mapped(lambda p: (p[0], -0.2 - p[2], p[1]))
         outer = _flip_if_inside_out(outer)
@@ -100,7 +96,7 @@ def surround_openings():
 
 
 def _pediment(width, height, material):
-    half = width / 2 + 0.22
+    half = width / 2 + 0.24
     ledge = block(-half, -0.34, height + 0.16, half, -0.2, height + 0.24, material, 0.02)
     key = block(-0.11, -0.31, height - 0.02, 0.11, -0.2, height + 0.17, "marble_white" if material != "gilt" else "gilt", 0.02)
     return joined([ledge, key])
@@ -205,25 +201,57 @@ def column(height, radius, shaft="marble_rose", fluted=False):
     base = joined([meshkit.slab(radius * 2.9, radius * 2.9, 0.16, "marble_white", 0.02),
                    lathe([(0.0, 0.16), (radius * 1.38, 0.16), (radius * 1.42, 0.21), (radius * 1.36, 0.26), (radius * 1.18, 0.28),
                           (radius * 1.14, 0.33), (radius * 1.22, 0.36), (radius * 1.24, 0.40), (radius * 1.02, 0.44), (0.0, 0.44)],
-                         "marble_white", 28)])
+                         "marble_white", 22)])
     top = height - 0.55
-    levels = 12 if fluted else 9
+    levels = 7
     profile = [(radius * (1.0 + 0.03 * math.sin(math.pi * t) - 0.14 * t * t), 0.44 + (top - 0.44) * t)
                for t in [i / levels for i in range(levels + 1)]]
     grooves = (lambda a, k: 1.0 - 0.055 * abs(math.sin(10 * a))) if fluted else None
-    body = lathe(profile, shaft, 60 if fluted else 28, grooves)
+    body = lathe(profile, shaft, 40 if fluted else 28, grooves)
     r = radius * 0.86
     bell = lathe([(r, top), (r * 1.10, top + 0.02), (r * 1.10, top + 0.05), (r * 1.0, top + 0.07), (r * 1.04, top + 0.25),
-                  (r * 1.25, top + 0.36), (r * 1.55, top + 0.42), (0.0, top + 0.42)], "gilt", 24,
+                  (r * 1.25, top + 0.36), (r * 1.55, top + 0.42), (0.0, top + 0.42)], "gilt", 16,
                  lambda a, k: 1.0 + (0.10 * math.cos(8 * a) if 4 <= k <= 6 else 0.0))
     abacus = meshkit.slab(r * 3.1, r * 3.1, 0.13, "marble_white", 0.02, top + 0.42)
     return joined([base, body, bell, abacus])
 
 
-def pilaster(height, width, material="marble_green"):
+def pilaster(height, width, material="marble_green", panel="marble_white"):
     """Flat against a wall behind it (at y = 0), standing out to -y."""
     w = width / 2
     return joined([block(-w - 0.05, -0.16, 0, w + 0.05, 0, 0.3, "marble_black", 0.02), block(-w, -0.1, 0.3, w, 0, height - 0.4, material, 0.015),
-                   block(-w + 0.06, -0.115, 0.5, w - 0.06, -0.09, height - 0.6, "gilt", 0.01),
+                   meshkit.raised_panel(-w + 0.07, 0.5, w - 0.07, height - 0.6, -0.1, 0.018, 0.025, panel),
                    block(-w - 0.04, -0.15, height - 0.4, w + 0.04, 0, height - 0.3, "gilt", 0.02),
                    block(-w - 0.08, -0.19, height - 0.3, w + 0.08, 0, height, "gilt", 0.03)])
+
+
+def ribs(name, places, spring, crown):
+    """Flat arches across a long room at each (y, floor) of `places`, on pilaster strips: they break it into bays."""
+    x0, _, _, x1, _, z1 = plan.ROOMS[name][:6]
+    shape, half, count = Shape(), 0.15, 14
+    for y, floor in places:
+        arc = []
+        for i in range(count + 1):
+            t = i / count
+            arc.append((x0 + 0.10 + (x1 - x0 - 0.20) * t, spring + (crown - spring) * (1 - (2 * t - 1) ** 2) ** 0.6))
+        outline = [(x1 - 0.001, z1 - 0.001), (x0 + 0.001, z1 - 0.001)] + [(x0 + 0.001, spring)] + arc + [(x1 - 0.001, spring)]
+        band = extruded(outline, -half, half, "stucco").mapped(lambda p: (p[0], -p[2], p[1])).moved(0, y)
+        shape.add(_flip_if_inside_out(band))
+        for x, side in ((x0, 1), (x1, -1)):
+            a, b = sorted((x, x + side * 0.10))
+            c, d = sorted((x, x + side * 0.16))
+            shape.add(block(a, y - 0.17, floor, b, y + 0.17, spring, "stucco", 0.012), block(c, y - 0.21, floor, d, y + 0.21, floor + 0.28, "marble_black", 0.02),
+                      block(c, y - 0.21, spring - 0.10, d, y + 0.21, spring, "stucco", 0.025), block(c, y - 0.19, spring - 0.20, d - 0.02 * (side > 0), y + 0.19, spring - 0.17, "gilt", 0.012))
+    scene.mesh("ribs_" + name, shape)
+
+
+def low_doorway():
+    """Oak round the flue's two mouths, with an iron grille that somebody left leaning beside one."""
+    x0, y0, z0, x1, y1, z1 = plan.ROOMS["flue"][:6]
+    for x, turn in ((x0, 90), (x1, -90)):
+        band = sweep([(out * 0.5, up * 0.6) for out, up in ARCHITRAVE], [(-0.6, 0.0), (-0.6, z1), (0.6, z1), (0.6, 0.0)], "oak_dark")
+        band = _flip_if_inside_out(band.mapped(lambda p: (p[0], p[2], p[1])))
+        scene.mesh("flue_mouth_" + ("west" if x == x0 else "east"), band, (x, (y0 + y1) / 2, z0), -turn)
+    bars = [block(-0.56, -0.012, 0.0, 0.56, 0.012, 0.04, "iron", 0.005), block(-0.56, -0.012, 1.06, 0.56, 0.012, 1.10, "iron", 0.005)]
+    bars += [block(-0.56 + 0.14 * i - 0.012, -0.010, 0.03, -0.56 + 0.14 * i + 0.012, 0.010, 1.07, "iron", 0.004) for i in range(9)]
+    scene.mesh("flue_grille", joined(bars).turned(-12, "x"), (x0 - 0.27, y1 + 0.75, z0), 90)

@@ -58,7 +58,9 @@ def _seascape(seed, night):
     disc = np.hypot((x - 0.40) * 1.33, y - 0.70)
     picture = mix(picture, light, np.clip(1.0 - (disc - 0.045) * 60, 0, 1) + 0.5 * np.exp(-disc * 8))
     depth = np.clip((0.42 - y) / 0.42, 0.001, 1)
-    waves = np.sin((_noise(shape, 8, seed + 5) * 9 + 1.4 / (depth + 0.05)) * 6.0) * 0.5 + 0.5
+    swell = textures.noise(1024, 32, seed + 5, 4)  # seen at a slant: rows crowd together towards the horizon
+    rows, columns = (150.0 / (depth + 0.03)).astype(int) % 1024, ((x - 0.4) * 90.0 / (depth + 0.12)).astype(int) % 1024
+    waves = np.clip((swell[rows, columns] - 0.36) * 3.4, 0, 1)
     sea = mix((.02, .05, .09) if night else (.10, .20, .26), (.10, .17, .24) if night else (.45, .42, .38), waves * 0.6)
     path = np.exp(-((x - 0.40) / (0.03 + 0.16 * depth)) ** 2) * (waves > 0.45) * (0.9 - 0.5 * depth)
     sea = mix(sea, light, path)
@@ -88,7 +90,7 @@ def _spectrum(seed):
     return _varnish(np.where(inside[..., None], 0.5 * picture + 0.6 * glassy, picture), seed)
 
 
-def _portrait(seed, coat, hair, ground):
+def _portrait(seed, coat, hair, ground, wears):
     """A sitter lit from the left by one lamp: ellipsoids shaded as a painter of candlelight would."""
     shape = TALL
     x, y = _field(shape)
@@ -96,13 +98,25 @@ def _portrait(seed, coat, hair, ground):
     random = np.random.RandomState(seed)
     lamp = np.array((-0.62, 0.50, 0.60))
     picture = mix(np.asarray(ground) * 0.35, ground, np.exp(-(x + 0.25) ** 2 * 6) * 0.7 + _noise(shape, 5, seed) * 0.3)
-    w = 0.145 + 0.02 * random.rand()
-    parts = [((0, -0.56, -0.1), (0.42, 0.42, 0.25), coat), ((0, -0.12, 0.0), (0.075, 0.16, 0.09), (.72, .50, .38)),
-             ((0.0, 0.17, -0.06), (w * 1.16, 0.235, 0.2), hair), ((0.004, 0.12, 0.03), (w, 0.205, 0.17), (.84, .62, .48)),
-             ((-0.012, 0.10, 0.175), (0.022, 0.05, 0.05), (.86, .60, .46)),
-             ((-0.055, 0.15, 0.165), (0.022, 0.010, 0.02), (.10, .07, .06)), ((0.045, 0.15, 0.165), (0.022, 0.010, 0.02), (.10, .07, .06)),
-             ((-0.055, 0.185, 0.155), (0.034, 0.008, 0.03), hair), ((0.048, 0.185, 0.155), (0.034, 0.008, 0.03), hair),
-             ((-0.004, 0.018, 0.165), (0.042, 0.012, 0.03), (.62, .28, .24)), ((-0.02, -0.27, 0.1), (0.12, 0.10, 0.08), (.85, .82, .75))]
+    w, lean = 0.140 + 0.022 * random.rand(), 0.03 * (random.rand() - 0.5)
+    skin, lip, dark = np.array((.84, .62, .48)) * (0.92 + 0.1 * random.rand()), (.62, .27, .23), (.07, .05, .04)
+    parts = [((0, -0.58, -0.1), (0.43, 0.42, 0.25), coat), ((0, -0.12, 0.0), (0.072, 0.17, 0.09), skin * 0.86),
+             ((lean, 0.17, -0.06), (w * 1.14, 0.235, 0.2), hair), ((lean, 0.12, 0.03), (w, 0.205, 0.17), skin),
+             ((lean - 0.014, 0.092, 0.165), (0.017, 0.058, 0.045), skin), ((lean - 0.014, 0.048, 0.175), (0.026, 0.018, 0.045), skin * 0.97),
+             ((lean, -0.065, 0.12), (0.045, 0.032, 0.05), skin)]
+    for side in (-1, 1):
+        x0 = lean - 0.008 + side * 0.056
+        parts += [((x0, 0.142, 0.150), (0.030, 0.0125, 0.03), (.88, .85, .80)), ((x0 - 0.004, 0.142, 0.170), (0.0115, 0.0120, 0.02), dark),
+                  ((x0, 0.153, 0.168), (0.032, 0.005, 0.02), dark), ((x0, 0.180, 0.150), (0.037, 0.007, 0.03), np.asarray(hair) * 0.7),
+                  ((side * 0.075, -0.30, 0.10), (0.085, 0.045, 0.06), (.84, .82, .76))]
+    parts += [((lean - 0.008, 0.010, 0.165), (0.042, 0.0075, 0.03), np.asarray(lip) * 0.7), ((lean - 0.008, -0.001, 0.163), (0.034, 0.012, 0.03), lip)]
+    if wears == "beard":
+        parts += [((lean, -0.075, 0.06), (0.115, 0.105, 0.13), hair), ((lean - 0.05, 0.030, 0.165), (0.055, 0.014, 0.03), hair), ((lean + 0.035, 0.030, 0.165), (0.055, 0.014, 0.03), hair),
+                  ((lean - 0.008, 0.006, 0.172), (0.035, 0.010, 0.03), lip)]
+    if wears == "long":
+        parts += [((lean - w, 0.02, 0.0), (0.07, 0.24, 0.1), hair), ((lean + w, 0.02, 0.0), (0.07, 0.24, 0.1), hair), ((lean - 0.06, 0.275, 0.06), (0.11, 0.055, 0.13), hair), ((lean + 0.06, 0.275, 0.06), (0.11, 0.055, 0.13), hair)]
+    if wears == "cap":
+        parts += [((lean, 0.315, 0.03), (w * 1.45, 0.075, 0.2), (.10, .03, .04)), ((lean, 0.265, 0.06), (w * 1.12, 0.045, 0.2), (.16, .05, .06))]
     nearest = np.full(shape, -9.0)
     for centre, radius, colour in parts:
         u, v = (x - centre[0]) / radius[0], (y - centre[1]) / radius[1]
@@ -163,10 +177,10 @@ _RECIPES = {
     "dusk": lambda: _mountains(121, (.62, .28, .24), (.10, .12, .26), (.06, .04, .05)),
     "harbour": lambda: _seascape(131, False), "moonrise": lambda: _seascape(141, True),
     "prism": lambda: _spectrum(151), "spheres": lambda: _still_life(161), "forest": lambda: _forest(171),
-    "lady": lambda: _portrait(181, (.30, .05, .06), (.22, .11, .05), (.20, .14, .09)),
-    "scholar": lambda: _portrait(182, (.08, .08, .10), (.55, .53, .50), (.16, .15, .11)),
-    "founder": lambda: _portrait(183, (.06, .12, .10), (.10, .06, .04), (.22, .12, .07)),
-    "optician": lambda: _portrait(184, (.14, .10, .22), (.34, .20, .08), (.12, .14, .15)),
+    "lady": lambda: _portrait(181, (.30, .05, .06), (.22, .11, .05), (.20, .14, .09), "long"),
+    "scholar": lambda: _portrait(182, (.08, .08, .10), (.55, .53, .50), (.16, .15, .11), "beard"),
+    "founder": lambda: _portrait(183, (.06, .12, .10), (.10, .06, .04), (.22, .12, .07), "cap"),
+    "optician": lambda: _portrait(184, (.14, .10, .22), (.34, .20, .08), (.12, .14, .15), "beard"),
 }
 NAMES = sorted(_RECIPES)
 TALL_NAMES = ["forest", "founder", "lady", "optician", "scholar"]

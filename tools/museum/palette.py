@@ -18,22 +18,23 @@ MATERIALS = {
     # floors, walls and ceilings
     "floor_foyer": _m("marble", rough=0.12, image="marble_checker", tile=4.0),
     "floor_hall": _m("marble", rough=0.10, image="marble_star", tile=3.2),
-    "floor_gallery": _m("parquet", rough=0.28, image="parquet_herringbone", tile=1.8),
-    "floor_cabinet": _m("parquet", rough=0.22, image="parquet_squares", tile=1.6),
-    "floor_service": _m("concrete", rough=0.7, image="flagstones", tile=2.4),
-    "wall_foyer": _m("plaster", rough=0.75, image="plaster_stone", tile=2.4),
-    "wall_cream": _m("plaster", rough=0.8, image="plaster_cream", tile=2.0),
-    "wall_red": _m("plaster", rough=0.7, image="damask_red", tile=1.2),
-    "wall_green": _m("plaster", rough=0.7, image="damask_green", tile=1.2),
-    "wall_blue": _m("plaster", rough=0.65, image="damask_blue", tile=1.2),
-    "wall_violet": _m("plaster", rough=0.65, image="damask_violet", tile=1.0),
-    "wall_service": _m("plaster", rough=0.85, image="plaster_lime", tile=2.0),
+    "floor_gallery": _m("parquet", rough=0.28, image="parquet_herringbone", tile=1.8, bump=True),
+    "floor_cabinet": _m("parquet", rough=0.22, image="parquet_squares", tile=1.6, bump=True),
+    "floor_service": _m("concrete", rough=0.7, image="flagstones", tile=2.4, bump=True),
+    "wall_foyer": _m("plaster", rough=0.7, image="ashlar", tile=2.4, bump=True),
+    "wall_cream": _m("plaster", rough=0.8, image="plaster_cream", tile=2.0, bump=True),
+    "wall_red": _m("plaster", rough=0.7, image="damask_red", tile=1.2, bump=True),
+    "wall_green": _m("plaster", rough=0.7, image="damask_green", tile=1.2, bump=True),
+    "wall_blue": _m("plaster", rough=0.65, image="damask_blue", tile=1.2, bump=True),
+    "wall_violet": _m("plaster", rough=0.65, image="damask_violet", tile=1.0, bump=True),
+    "wall_service": _m("plaster", rough=0.85, image="plaster_lime", tile=2.0, bump=True),
     "ceiling": _m("ceiling", rough=0.85, image="plaster_white", tile=2.0),
+    "statuary": _m("marble", rough=0.38, image="marble_white", tile=1.2),
     "night": _m("plaster", (0.01, 0.015, 0.03), 1.0, glow=((0.10, 0.22, 0.55), 0.035)),
     "star": _m("plaster", (0.0, 0.0, 0.0), 1.0, glow=((0.8, 0.9, 1.0), 1.5)),
     # stone and plaster that stands
     "stucco": _m("plaster", rough=0.7, image="plaster_white", tile=2.0),
-    "marble_white": _m("marble", rough=0.2, image="marble_white", tile=1.2),
+    "marble_white": _m("marble", rough=0.32, image="marble_white", tile=1.2),
     "marble_green": _m("marble", rough=0.12, image="marble_green", tile=1.0),
     "marble_rose": _m("marble", rough=0.15, image="marble_rose", tile=1.2),
     "marble_black": _m("marble", rough=0.1, image="marble_black", tile=1.0),
@@ -41,8 +42,8 @@ MATERIALS = {
     "bronze": _m("metal", (0.21, 0.13, 0.07), 0.35, 1.0),
     "pebble": _m("marble", (0.32, 0.31, 0.30), 0.8),
     # wood, cloth, metal
-    "oak": _m("oak", rough=0.45, image="oak", tile=1.0, grain=True),
-    "oak_dark": _m("oak", rough=0.35, image="oak_dark", tile=1.0, grain=True),
+    "oak": _m("oak", rough=0.45, image="oak", tile=1.0, grain=True, bump=True),
+    "oak_dark": _m("oak", rough=0.35, image="oak_dark", tile=1.0, grain=True, bump=True),
     "gilt": _m("metal", (0.95, 0.66, 0.25), 0.32, 1.0),
     "brass": _m("metal", (0.88, 0.62, 0.27), 0.22, 1.0),
     "iron": _m("metal", (0.10, 0.10, 0.11), 0.45, 1.0),
@@ -118,6 +119,8 @@ def _build(name, recipe):
         node = nodes.new("ShaderNodeTexImage")
         node.image = _image(recipe["image"])
         links.new(node.outputs["Color"], surface["Base Color"])
+        if recipe.get("bump"):
+            _raise(nodes, links, recipe["image"])
     if "glow" in recipe:
         surface["Emission"].default_value = (*recipe["glow"][0], 1.0)
         surface["Emission Strength"].default_value = recipe["glow"][1]
@@ -146,11 +149,25 @@ def _mark_as_solid(nodes):
     node.inputs["Thickness"].default_value = 0.01
 
 
+def _raise(nodes, links, name):
+    """Joins the normal map that textures.relief makes of the picture's own lights and darks."""
+    node = nodes.new("ShaderNodeTexImage")
+    node.image = _image(name + "_normal")
+    bent = nodes.new("ShaderNodeNormalMap")
+    links.new(node.outputs["Color"], bent.inputs["Color"])
+    links.new(bent.outputs["Normal"], nodes["Principled BSDF"].inputs["Normal"])
+
+
 def _image(name):
     image = bpy.data.images.get(name)
     if image is None:
-        pixels = paintings.paint(name) if name in paintings.NAMES else textures.weave(name)
+        if name.endswith("_normal"):
+            pixels = textures.relief(name[:-len("_normal")])
+        else:
+            pixels = paintings.paint(name) if name in paintings.NAMES else textures.weave(name)
         path = textures.save(pixels, name, _folder)
         image = bpy.data.images.load(path)
         image.name = name
+        if name.endswith("_normal"):
+            image.colorspace_settings.name = "Non-Color"
     return image

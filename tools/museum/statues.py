@@ -1,4 +1,4 @@
-"""The landmarks: an armillary sphere, a giant lens on its stand, obelisks, urns and turned busts."""
+"""The landmarks: an armillary sphere, a giant lens on its stand, obelisks, urns and plinths."""
 import math
 
 import meshkit
@@ -12,7 +12,7 @@ def plinth(width, height, stone="marble_white", band="marble_black"):
                    slab(w + 0.12, w + 0.12, 0.07, band, 0.02, height - 0.07)])
 
 
-def _ring(radius, thickness, tilt=0.0, heading=0.0, material="brass", count=64, flat=2.2):
+def _ring(radius, thickness, tilt=0.0, heading=0.0, material="brass", count=48, flat=2.2):
     """A flat hoop in a plane tilted from level."""
     half, shape = thickness * flat, Shape()
     profile = [(radius - thickness, -half), (radius + thickness, -half), (radius + thickness, half), (radius - thickness, half), (radius - thickness, -half)]
@@ -87,16 +87,8 @@ def urn(height, stone="marble_green"):
     h = height
     body = lathe([(r * h, z * h) for r, z in ((0.0, 0.0), (0.17, 0.0), (0.17, 0.05), (0.10, 0.08), (0.07, 0.14), (0.09, 0.18), (0.20, 0.30), (0.27, 0.46),
                   (0.28, 0.58), (0.24, 0.68), (0.15, 0.76), (0.13, 0.82), (0.17, 0.87), (0.20, 0.90), (0.18, 0.93), (0.08, 0.97), (0.03, 0.99),
-                  (0.045, 1.03), (0.0, 1.07))], stone, 36)
+                  (0.045, 1.03), (0.0, 1.07))], stone, 24)
     handles = [tube([(s * h * x, 0, h * z) for x, z in ((0.15, 0.78), (0.26, 0.84), (0.34, 0.76), (0.33, 0.64), (0.26, 0.58))], 0.02 * h, "gilt", 8)
                for s in (-1, 1)]
     return joined([body] + handles)
 
-
-def bust(stone="marble_white"):
-    """A head and shoulders on a turned socle, 0.75 m high."""
-    parts = [lathe([(0.0, 0.0), (0.13, 0.0), (0.13, 0.03), (0.07, 0.06), (0.06, 0.12), (0.09, 0.16), (0.0, 0.17)], stone, 24),
-             ball(1.0, stone, 24, 14).scaled(0.24, 0.13, 0.16).moved(0, 0, 0.27), lathe([(0.10, 0.32), (0.065, 0.40), (0.062, 0.50), (0.0, 0.52)], stone, 20),
-             ball(1.0, stone, 28, 20).scaled(0.095, 0.115, 0.145).moved(0, -0.01, 0.60), ball(1.0, stone, 20, 12).scaled(0.105, 0.115, 0.10).moved(0, 0.03, 0.655),
-             ball(1.0, stone, 10, 8).scaled(0.018, 0.035, 0.04).moved(0, -0.125, 0.59)]
-    return joined(parts)

@@ -140,14 +140,14 @@ def _flagstones(size):
 def _damask(size, ground, figure, seed):
     """A pointed lattice with a flower in every field, woven in two tones of one silk."""
     x, y = grid(size)
-    u, v = x * 3, y * 2  # two rows, the second shifted by half a flower
-    row = np.floor(v).astype(int)
-    u = (u + 0.5 * (row % 2)) % 1 - 0.5
-    w = v % 1 - 0.5
-    angle, r = np.arctan2(w, u), np.hypot(u * 1.15, w)
-    petals = 0.26 + 0.11 * np.cos(angle * 6) + 0.04 * np.cos(angle * 2 + np.pi)
-    flower = np.clip((petals - r) * 30, 0, 1) - np.clip((petals * 0.55 - r) * 30, 0, 1) * 0.7 + np.clip((0.06 - r) * 40, 0, 1)
-    lattice = np.clip(1.2 - np.abs(np.abs(u) * 1.0 + np.abs(w) * 1.0 - 0.5) * 34, 0, 1) * (r > 0.34)
+    a, b = x * 3 + y * 2, x * 3 - y * 2  # whole numbers of either are the lattice's lines
+    a, b = a % 1 - 0.5, b % 1 - 0.5
+    u, w = (a + b) / 2, (a - b) / 2
+    angle, r = np.arctan2(w, u), np.hypot(u * 1.1, w)
+    petals = 0.20 + 0.085 * np.cos(angle * 6) + 0.035 * np.cos(angle * 2 + np.pi)
+    flower = np.clip((petals - r) * 40, 0, 1) - np.clip((petals * 0.55 - r) * 40, 0, 1) * 0.7 + np.clip((0.045 - r) * 50, 0, 1)
+    edge = 0.5 - np.maximum(np.abs(a), np.abs(b))
+    lattice = np.clip(1.3 - np.abs(edge - 0.03) * 60, 0, 1)
     thread = 1.0 + 0.05 * np.sin(y * size * np.pi * 0.5) + (noise(size, 64, seed, 2) - 0.5) * 0.12
     return mix(ground, figure, flower * 0.8 + lattice * 0.9) * thread[..., None]
 
@@ -160,7 +160,37 @@ def _carpet(size):
     return field * (0.86 + 0.28 * noise(size, 128, 61, 2))[..., None]
 
 
+def _ashlar(size):
+    """Dressed stone in courses of 0.6 m, every block of its own tone."""
+    x, y = grid(size)
+    rows = 4
+    row = np.floor(y * rows).astype(int)
+    u = x * 2 + 0.5 * (row % 2)
+    tone = np.random.RandomState(55).rand(rows, 2)[row, np.floor(u).astype(int) % 2]
+    picture = plaster(size, (.70, .66, .57), 56, 0.16) * (0.93 + 0.12 * tone)[..., None]
+    return _jointed(picture, u, y * rows, 0.012, (.42, .39, .34))
+
+
+# how deep, in metres across one repeat of the picture, its darks lie below its lights
+DEPTHS = {"ashlar": 0.004, "parquet_herringbone": 0.0012, "parquet_squares": 0.0012, "flagstones": 0.006, "damask_red": 0.0008, "damask_green": 0.0008,
+          "damask_blue": 0.0008, "damask_violet": 0.0007, "oak": 0.0010, "oak_dark": 0.0012, "plaster_lime": 0.006, "plaster_cream": 0.003}
+
+
+def relief(name):
+    """A normal map from the picture's own brightness, gently blurred; green is up (+v)."""
+    light = weave(name).mean(axis=-1)
+    size = light.shape[0]
+    spread = light.max() - light.min()
+    height = sum(np.roll(light, (i, j), (0, 1)) for i in (-1, 0, 1) for j in (-1, 0, 1)) / 9.0 / spread * DEPTHS[name] * size
+    dx = (np.roll(height, -1, 1) - np.roll(height, 1, 1)) * 0.5
+    dy = (np.roll(height, -1, 0) - np.roll(height, 1, 0)) * 0.5
+    normal = np.stack([-dx, -dy, np.ones_like(dx)], -1)
+    normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
+    return normal[:: size // 512, :: size // 512] * 0.5 + 0.5
+
+
 RECIPES = {
+    "ashlar": lambda: _ashlar(512),
     "marble_checker": lambda: _checker(1024), "marble_star": lambda: _star(1024),
     "parquet_herringbone": lambda: _herringbone(1024), "parquet_squares": lambda: _squares(1024),
     "flagstones": lambda: _flagstones(512), "carpet": lambda: _carpet(512),
@@ -189,7 +219,7 @@ def save(pixels, name, folder):
     """Writes an opaque JPEG; returns its path."""
     height, width, _ = pixels.shape
     image = bpy.data.images.new(name + "_raw", width, height)
-    image.colorspace_settings.name = "sRGB"
+    image.colorspace_settings.name = "Non-Color" if name.endswith("_normal") else "sRGB"
     rgba = np.ones((height, width, 4), dtype=np.float32)
     rgba[..., :3] = np.clip(pixels, 0.0, 1.0)
     image.pixels.foreach_set(rgba.ravel())
