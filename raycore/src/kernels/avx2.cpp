@@ -1,10 +1,12 @@
 // kernels/avx2.cpp - the kernels in AVX2 and FMA.
+// clang-format off: each file stands on the one before it.
 #include "kernels/kernel_abi.h"
-#include "kernels/ray_setup.inl"
 #include "kernels/simd_avx2.h"
-#include "kernels/sinks.inl"
-#include "kernels/traverse.inl"
+#include "kernels/ray_setup.inl"
 #include "kernels/triangle.inl"
+#include "kernels/traverse.inl"
+#include "kernels/sinks.inl"
+// clang-format on
 
 namespace rc::kernel {
 

@@ -1,11 +1,13 @@
-// kernels/avx512.cpp - the kernels in AVX-512VL: the masks and compress of AVX-512 on 256-bit registers.
-#include "kernels/kernel_abi.h"
+// kernels/avx512.cpp - the kernels in AVX-512VL: the masks of AVX-512 on 256-bit registers.
 #define RC_ISA isa_avx512
-#include "kernels/ray_setup.inl"
+// clang-format off: each file stands on the one before it.
+#include "kernels/kernel_abi.h"
 #include "kernels/simd_avx2.h"
-#include "kernels/sinks.inl"
-#include "kernels/traverse.inl"
+#include "kernels/ray_setup.inl"
 #include "kernels/triangle.inl"
+#include "kernels/traverse.inl"
+#include "kernels/sinks.inl"
+// clang-format on
 
 namespace rc::kernel {
 

@@ -1,10 +1,12 @@
 // kernels/scalar.cpp - the kernels in plain C++.
+// clang-format off: each file stands on the one before it.
 #include "kernels/kernel_abi.h"
-#include "kernels/ray_setup.inl"
 #include "kernels/simd_scalar.h"
-#include "kernels/sinks.inl"
-#include "kernels/traverse.inl"
+#include "kernels/ray_setup.inl"
 #include "kernels/triangle.inl"
+#include "kernels/traverse.inl"
+#include "kernels/sinks.inl"
+// clang-format on
 
 namespace rc::kernel {
 
