@@ -12,10 +12,12 @@ namespace gh::filter {
 
 namespace {
 
-constexpr float kKnee = 0.25f;       // below it the curve is straight
-constexpr float kWhitening = 8.0f;   // exposed peak at which a colour is a quarter of the way to white
-constexpr float kNightGrey = 0.11f;  // what the logarithmic mean of a picture is brought to
-constexpr float kLeastExposure = 0.02f, kMostExposure = 24.0f;
+constexpr float kKnee = 0.25f;      // below it the curve is straight
+constexpr float kWhitening = 8.0f;  // exposed peak at which a colour is a quarter of the way to white
+// The eye follows the light half way only (in stops): a dark room is to look dark, and a bright one bright.
+constexpr float kFollows = 0.5f;
+constexpr float kExposureOfOne = 0.63f;  // where the logarithmic mean of the radiance is 1
+constexpr float kLeastExposure = 0.02f, kMostExposure = 12.0f;
 constexpr float kDarkest = 1e-4f;                  // radiance below which darkness is just darkness
 constexpr float kToBright = 0.3f, kToDark = 2.0f;  // seconds to two thirds of the way
 
@@ -87,8 +89,8 @@ float metered_exposure(const Image& picture) {
         }
     }
     if (count == 0) return kMostExposure;
-    const float mean = det::exp2(static_cast<float>(sum / count));
-    return std::clamp(kNightGrey / mean, kLeastExposure, kMostExposure);
+    const float stops = static_cast<float>(sum / count);
+    return std::clamp(kExposureOfOne * det::exp2(-kFollows * stops), kLeastExposure, kMostExposure);
 }
 
 float adapted_exposure(const Image& picture, float previous, float seconds) {

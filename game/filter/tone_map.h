@@ -11,9 +11,9 @@
 
 namespace gh::filter {
 
-// The exposure, radiance -> display, that brings the picture's logarithmic mean to a night's grey; bounded below and
-// above, so that darkness stays dark and a lamp held before the eye does not blind. An empty or all-black picture
-// asks for the upper bound.
+// The exposure, radiance -> display, for the picture's logarithmic mean. It goes with the root of the light only, so
+// that a dark room looks dark, and is bounded, so that darkness stays dark and a lamp held before the eye does not
+// blind. An empty or all-black picture asks for the upper bound.
 [[nodiscard]] float metered_exposure(const Image& picture);
 
 // One step of an eye that follows metered_exposure: towards brightness within about 0.3 s, towards darkness within

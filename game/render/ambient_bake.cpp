@@ -14,6 +14,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <bitset>
 #include <cmath>
 
@@ -34,10 +35,13 @@ struct Patch {
     glm::vec3 albedo{0.0f};  // 0: nothing comes back from here
 };
 
+using PerSide = std::array<float, 6>;
+
 struct Bake {
     const SceneView& view;
     BakeSettings settings;
     std::vector<glm::vec3> directions;
+    PerSide per_side;
     std::size_t always;  // index of the group that no switch turns off
     AmbientBake result;
     std::vector<Patch> patches;                       // [point][ray]
@@ -63,20 +67,28 @@ std::size_t group_or(std::uint32_t group, std::size_t always) {
     return group == world::kNoIndex ? always : group;
 }
 
-// One cosine-weighted share of a cube's six sides. Dividing by the same sum of cosines for all makes uniform light
-// come out exactly.
-void add_light(AmbientCube& cube, const glm::vec3& direction, const glm::vec3& radiance, float per_side) {
-    for (std::size_t side = 0; side < 6; ++side) {
-        const float component = direction[side / 2] * (side % 2 == 0 ? 1.0f : -1.0f);
-        if (component > 0.0f) cube.face[side] += radiance * (component * per_side);
+// Which of a cube's sides a direction adds to along an axis.
+std::size_t side_of(const glm::vec3& direction, std::size_t axis) {
+    return 2 * axis + (direction[axis] < 0.0f ? 1 : 0);
+}
+
+// One cosine-weighted share of a cube's sides.
+void add_light(AmbientCube& cube, const glm::vec3& direction, const glm::vec3& radiance,
+               const PerSide& per_side) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t side = side_of(direction, axis);
+        cube.face[side] += radiance * (std::abs(direction[axis]) * per_side[side]);
     }
 }
 
-// pi over the sum of the positive cosines towards one side; the lattice is even, so any side will do.
-float light_per_side(const std::vector<glm::vec3>& directions) {
-    float sum = 0.0f;
-    for (const glm::vec3& d : directions) sum += std::abs(d.y);
-    return kPi / (0.5f * sum);
+// pi over the sum of the cosines towards each side: uniform light comes out exactly.
+PerSide light_per_side(const std::vector<glm::vec3>& directions) {
+    PerSide sum{};
+    for (const glm::vec3& d : directions) {
+        for (std::size_t axis = 0; axis < 3; ++axis) sum[side_of(d, axis)] += std::abs(d[axis]);
+    }
+    for (float& side : sum) side = kPi / std::max(side, 1e-20f);
+    return sum;
 }
 
 // Follows a ray through glass to something opaque; `tint` becomes what is left of the light.
@@ -96,7 +108,6 @@ std::optional<rc::Hit> first_opaque(const SceneView& view, rc::Ray& ray, glm::ve
 void light_patch(Bake& bake, std::size_t point, std::size_t ray, const ShadingPoint& at,
                  const glm::vec3& albedo) {
     const world::Level& level = bake.view.level;
-    const float per_side = light_per_side(bake.directions);
     for (const std::uint32_t id : bake.view.prepared.lamp_lists.at(at.surface.position)) {
         const world::Lamp& lamp = level.lamps[id];
         const glm::vec3 irradiance = lamp_irradiance(lamp, at.surface.position, at.geometric);
@@ -114,7 +125,7 @@ void light_patch(Bake& bake, std::size_t point, std::size_t ray, const ShadingPo
                 ? (bake.view.prepared.has_clear_parts ? transmittance(bake.view, *shadow) : glm::vec3(0.0f))
                 : glm::vec3(1.0f);
         add_light(bake.first[group_or(lamp.group, bake.always)][point], bake.directions[ray],
-                  albedo * irradiance * share * kPerPi, per_side);
+                  albedo * irradiance * share * kPerPi, bake.per_side);
     }
 }
 
@@ -124,7 +135,7 @@ void add_sky(Bake& bake, std::size_t point, std::size_t ray, const glm::vec3& ti
         if (lamp.group == world::kNoIndex && !lamp.starts_on) continue;
         const glm::vec3 radiance = tint * sky_radiance(lamp.intensity, bake.directions[ray]);
         add_light(bake.first[group_or(lamp.group, bake.always)][point], bake.directions[ray], radiance,
-                  light_per_side(bake.directions));
+                  bake.per_side);
     }
 }
 
@@ -175,8 +186,7 @@ void look_round(Bake& bake, std::size_t point) {
         light_patch(bake, point, i, at, albedo);
         if (view.prepared.parts[at.part].lamp == world::kNoIndex) {  // bulbs are lamps and no part of this
             const std::size_t group = group_or(view.level.parts[at.part].lamp_group, bake.always);
-            add_light(bake.first[group][point], bake.directions[i], tint * at.emission,
-                      light_per_side(bake.directions));
+            add_light(bake.first[group][point], bake.directions[i], tint * at.emission, bake.per_side);
         }
     }
     SightMap& sight = bake.result.sights[point];
@@ -196,7 +206,6 @@ void note_lit_groups(Bake& bake, std::size_t point) {
 
 // What the point's patches give back of the light the last round found there, on top of the first.
 void bounce(const Bake& bake, std::size_t point, std::vector<std::vector<AmbientCube>>& next) {
-    const float per_side = light_per_side(bake.directions);
     const std::size_t rays = bake.directions.size();
     for (std::size_t group = 0; group < next.size(); ++group) next[group][point] = bake.first[group][point];
     for (std::size_t i = 0; i < rays; ++i) {
@@ -215,7 +224,8 @@ void bounce(const Bake& bake, std::size_t point, std::vector<std::vector<Ambient
                 irradiance +=
                     bake.result.cubes[group][weights.point[k]].irradiance(patch.normal) * weights.weight[k];
             }
-            add_light(next[group][point], bake.directions[i], patch.albedo * irradiance * kPerPi, per_side);
+            add_light(next[group][point], bake.directions[i], patch.albedo * irradiance * kPerPi,
+                      bake.per_side);
         }
     }
 }
@@ -225,9 +235,11 @@ void bounce(const Bake& bake, std::size_t point, std::vector<std::vector<Ambient
 AmbientBake bake_ambient(const SceneView& view, const Grid& grid, const BakeSettings& settings,
                          const Jobs& jobs) {
     const std::size_t points = grid.point_count(), groups = view.level.lamp_groups.size() + 1;
+    const std::vector<glm::vec3> directions = even_directions(settings.rays);
     Bake bake{.view = view,
               .settings = settings,
-              .directions = even_directions(settings.rays),
+              .directions = directions,
+              .per_side = light_per_side(directions),
               .always = groups - 1,
               .result = {.grid = grid, .sights = std::vector<SightMap>(points), .cubes = {}},
               .patches = {},

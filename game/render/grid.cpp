@@ -13,14 +13,15 @@ Grid make_grid(const world::Aabb& box, float spacing, std::size_t max_cells) {
     float edge = std::min(spacing, longest / 4.0f);
     for (;; edge *= 1.1f) {
         // Cells past 1e6 would not fit; then the count is surely too high.
-        const glm::vec3 cells = glm::max(glm::ceil(size / edge), glm::vec3(1.0f));
+        const glm::vec3 cells = glm::max(glm::ceil(size / edge), glm::vec3(1.0f)) + 1.0f;
         if (cells.x * cells.y * cells.z > static_cast<float>(max_cells)) continue;
         grid.cells = glm::ivec3(cells);
         break;
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const float extent = size[axis] > 0.0f ? size[axis] : edge;
-        grid.spacing[axis] = extent / static_cast<float>(grid.cells[axis]);
+        grid.spacing[axis] = extent / static_cast<float>(grid.cells[axis] - 1);
+        grid.origin[axis] -= 0.5f * grid.spacing[axis];
     }
     return grid;
 }

@@ -55,7 +55,8 @@ struct Grid {
     }
 };
 
-// Cells of about `spacing` metres over the box, wider where there would be more than `max_cells`.
+// Cells of about `spacing` metres over the box and half a cell beyond it on all sides, so that no grid point lies on a
+// wall that bounds it; wider cells where there would be more than `max_cells`.
 [[nodiscard]] Grid make_grid(const world::Aabb& box, float spacing, std::size_t max_cells);
 
 }  // namespace gh::render

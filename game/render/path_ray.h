@@ -44,6 +44,7 @@ class MediumStack {
 };
 
 struct PathRay {
+    glm::vec3 from{0.0f};    // where the ray starts, exactly: its origin is a little off the surface
     rc::Ray ray;             // direction unit
     glm::vec3 weight{1.0f};  // what its light counts in the pixel
     MediumStack media;

@@ -17,7 +17,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace gh::render {
@@ -68,7 +67,7 @@ class TileTracer {
     void collect_ambient(const PathRay& path, const ShadingPoint& at, const glm::vec3& diffuse,
                          const glm::vec3& mirrored);
     void ask_for_shadows(const PathRay& path, const ShadingPoint& at);
-    void ask_one_of(const PathRay& path, const ShadingPoint& at, std::span<const Arrival> faint);
+    void ask_one_below(const PathRay& path, const ShadingPoint& at, float least);
     void ask(const PathRay& path, const ShadingPoint& at, const Arrival& arrival, int count);
     void ask_lamp(const PathRay& path, const ShadingPoint& at, const Arrival& arrival, std::uint32_t number);
     void ask_around(const PathRay& path, const ShadingPoint& at, const glm::vec3& light,

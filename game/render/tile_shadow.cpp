@@ -52,27 +52,31 @@ void TileTracer::ask_for_shadows(const PathRay& path, const ShadingPoint& at) {
         total += brightest(arrival.light);
         pixel(path).unshadowed += arrival.light;
     }
-    const auto faint = std::stable_partition(arrivals_.begin(), arrivals_.end(), [&](const Arrival& arrival) {
-        return brightest(arrival.light) >= kMatters * total;
-    });
-    for (auto it = arrivals_.begin(); it != faint; ++it) ask(path, at, *it, frame_.settings.shadow_samples);
-    ask_one_of(path, at, {faint, arrivals_.end()});
+    const float least = kMatters * total;
+    for (const Arrival& arrival : arrivals_) {
+        if (brightest(arrival.light) >= least) ask(path, at, arrival, frame_.settings.shadow_samples);
+    }
+    ask_one_below(path, at, least);
 }
 
 // Neighbours choose others, so that together they ask for each as often as it counts.
-void TileTracer::ask_one_of(const PathRay& path, const ShadingPoint& at, std::span<const Arrival> faint) {
+void TileTracer::ask_one_below(const PathRay& path, const ShadingPoint& at, float least) {
     float total = 0.0f;
-    for (const Arrival& arrival : faint) total += brightest(arrival.light);
-    if (!(total > 0.0f)) return;
+    for (const Arrival& arrival : arrivals_) {
+        if (brightest(arrival.light) < least) total += brightest(arrival.light);
+    }
     const auto number = static_cast<std::uint32_t>(sample_);
     float choice = samplers_[path.pixel].point(number, kChoicePurpose, path.depth).x * total;
-    for (const Arrival& arrival : faint) {
+    const Arrival* chosen = nullptr;
+    for (const Arrival& arrival : arrivals_) {
         const float share = brightest(arrival.light);
+        if (share >= least) continue;
+        chosen = &arrival;  // rounding may run past the last one, which then is it
         choice -= share;
-        if (choice >= 0.0f && &arrival != &faint.back()) continue;
-        ask(path, at, {arrival.light * (total / share), arrival.lamp}, 1);
-        return;
+        if (choice < 0.0f) break;
     }
+    if (chosen != nullptr)
+        ask(path, at, {chosen->light * (total / brightest(chosen->light)), chosen->lamp}, 1);
 }
 
 void TileTracer::ask(const PathRay& path, const ShadingPoint& at, const Arrival& arrival, int count) {
