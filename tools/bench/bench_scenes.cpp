@@ -1,5 +1,6 @@
 #include "bench_scenes.h"
 
+#include "load/level_loader.h"
 #include "support/shapes.h"
 
 #include <glm/common.hpp>
@@ -8,10 +9,6 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-
-#ifdef BENCH_CAN_LOAD
-#include "load/level_loader.h"
-#endif
 
 namespace bench {
 
@@ -90,6 +87,27 @@ void aim(BenchScene& scene) {
     scene.lamp_high = low + size * glm::vec3(0.7f, 0.9f, 0.7f);
 }
 
+// All that stands still, and what moves where it rests, as one mesh.
+BenchScene flatten(const gh::world::Level& level) {
+    BenchScene scene;
+    scene.name = level.name;
+    for (const gh::world::Part& part : level.parts) {
+        if (part.layers == 0) continue;
+        const gh::world::Mesh& mesh = level.meshes[part.mesh];
+        const auto base = static_cast<std::uint32_t>(scene.positions.size());
+        const glm::mat4x3& m = part.mover_from_part;
+        for (const glm::vec3& p : mesh.positions)
+            scene.positions.push_back(((m[0] * p.x + m[1] * p.y) + m[2] * p.z) + m[3]);
+        for (const glm::uvec3& t : mesh.triangles) scene.triangles.push_back(t + glm::uvec3(base));
+    }
+    aim(scene);
+    if (!level.viewpoints.empty()) {
+        const gh::world::Viewpoint& v = level.viewpoints.front();
+        scene.camera = {v.position, v.yaw, v.pitch, v.fov_y};
+    }
+    return scene;
+}
+
 // Vertex count, triangle count, positions, indices: what a script can write in two lines.
 std::optional<BenchScene> read_raw(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
@@ -117,8 +135,12 @@ std::optional<BenchScene> read_scene(const std::string& path) {
         if (!scene) std::fprintf(stderr, "%s: not a raw mesh\n", path.c_str());
         return scene;
     }
-    std::fprintf(stderr, "%s: this build reads .raw meshes only\n", path.c_str());
-    return std::nullopt;
+    const gh::Result<gh::world::Level> level = gh::load::load_level(path, {.finds_ways = false});
+    if (!level) {
+        std::fprintf(stderr, "%s\n", level.error().sentence.c_str());
+        return std::nullopt;
+    }
+    return flatten(*level);
 }
 
 }  // namespace bench
