@@ -37,8 +37,8 @@ std::vector<MipTexture> shrink_textures(const world::Level& level, const Jobs& j
 // Whether the level's maker told opaque parts from clear ones.
 bool are_layers_split(const world::Level& level) {
     return std::all_of(level.parts.begin(), level.parts.end(), [](const world::Part& part) {
-        const rc::LayerMask kind = part.layers & (world::Opaque | world::Clear);
-        return (part.layers & world::Light) == 0 || kind == world::Opaque || kind == world::Clear;
+        const rc::LayerMask kind = part.layers & (world::Blocker | world::Clear);
+        return (part.layers & world::Light) == 0 || kind == world::Blocker || kind == world::Clear;
     });
 }
 
@@ -68,7 +68,7 @@ Prepared prepare(const world::Level& level, const world::Snapshot& rest, const J
     prepared.parts = part_traits(level, jobs);
     const bool is_split = are_layers_split(level);
     for (const PartTraits& part : prepared.parts) prepared.has_clear_parts |= part.is_clear;
-    prepared.blocking_layers = is_split ? world::Opaque : world::Light;
+    prepared.blocking_layers = is_split ? world::Blocker : world::Light;
     for (const world::Lamp& lamp : level.lamps) prepared.bulbs.push_back(bulb_clearance(level, rest, lamp));
 
     const Grid grid = make_grid(level.bounds, settings.spacing, settings.max_cells);

@@ -44,7 +44,7 @@ struct Prepared {
     AmbientBake ambient;
     GlossTable gloss;
     bool has_clear_parts = false;
-    // What surely blocks a shadow ray: the Opaque parts of a level that says which they are, else all that is drawn,
+    // What surely blocks a shadow ray: the Blocker parts of a level that says which they are, else all that is drawn,
     // and then what blocks must be looked at again.
     rc::LayerMask blocking_layers = 0;
 };

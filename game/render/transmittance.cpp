@@ -73,7 +73,7 @@ void ShadowBatch::answer(const SceneView& view, std::span<const rc::Ray> rays, s
     rc::any_hits(*view.snapshot.scene, rays, view.prepared.blocking_layers, is_blocked_);
     for (std::size_t i = 0; i < rays.size(); ++i) shares[i] = glm::vec3(is_blocked_[i] != 0 ? 0.0f : 1.0f);
     if (!view.prepared.has_clear_parts) return;
-    if (view.prepared.blocking_layers == world::Opaque) {
+    if (view.prepared.blocking_layers == world::Blocker) {
         look_through_what_is_left(view, rays, shares);
     } else {
         look_through_what_is_blocked(view, rays, shares);

@@ -12,7 +12,7 @@ inline constexpr rc::LayerMask Solid = 1u << 3;  // stops feet and stones
 
 
 // What a drawn part does to a shadow ray, told apart so that most need one query (world/clear_parts.h sets them).
-inline constexpr rc::LayerMask Opaque = 1u << 4;  // blocks it for good
+inline constexpr rc::LayerMask Blocker = 1u << 4;  // blocks it for good
 inline constexpr rc::LayerMask Clear = 1u << 5;   // holds glass, holes or tints: one must look closer
 
 inline constexpr rc::LayerMask kEverything = Light | Sight | Sound | Solid;
