@@ -18,7 +18,7 @@ constexpr float kCrouchDb = -17.0f;
 constexpr float kQuietStoneSpeed = 0.25f;  // m/s: slower touches make no sound
 
 // In the order of world::Surface: marble concrete parquet plaster stud glass pane oak metal curtain ceiling carpet.
-constexpr std::array<float, kSurfaceCount> kStepDb = {50, 47, 49, 45, 46, 54, 54, 50, 57, 30, 44, 34};
+constexpr std::array<float, kSurfaceCount> kStepDb = {45, 42, 44, 40, 41, 49, 49, 45, 52, 25, 39, 29};
 constexpr std::array<float, kSurfaceCount> kStoneDb = {62, 58, 57, 50, 52, 66, 66, 58, 68, 25, 45, 32};  // at 1 m/s
 
 std::size_t index_of(Surface surface) { return static_cast<std::size_t>(surface); }

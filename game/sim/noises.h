@@ -1,6 +1,6 @@
 // sim/noises.h - what sounds in a tick, and how loudly: dB at 1 m, by surface, speed and stance.
 //
-// A quiet museum hums at 22 dB; a step on marble (50 dB) is lost in that 25 m away, on carpet after 4 m.
+// A quiet museum hums at 22 dB; a step on marble (45 dB) is lost in that 14 m away, on carpet after 2 m.
 // Guards hear State::noises through sense::hearing, players through audio: from one list.
 // Threads   State belongs to the tick. Same bits: det_math only.
 #pragma once

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -35,9 +36,35 @@ Result<std::uint64_t> record(const std::filesystem::path& path, const std::strin
     return world::state_hash(simulation.state()).total;
 }
 
+// The level with guards thin as paper: a plan needs their eyes, not their coats, and is made five times as fast. What
+// little their shadows change is seen when the plan is played in the level itself.
+std::shared_ptr<const world::Level> sketch_of(const world::Level& level) {
+    world::Level sketch = level;
+    for (const world::Model& model : sketch.models) {
+        world::Mesh& mesh = sketch.meshes[model.mesh];
+        const std::size_t corners = std::min<std::size_t>(mesh.positions.size(), 3);
+        mesh.positions.resize(corners);
+        mesh.normals.resize(corners);
+        mesh.joints.resize(corners);
+        mesh.weights.resize(corners);
+        mesh.uvs.resize(std::min(mesh.uvs.size(), corners));
+        mesh.tangents.resize(std::min(mesh.tangents.size(), corners));
+        mesh.triangles.assign(1, glm::uvec3(0, 1, 2));
+        mesh.materials.resize(1);
+    }
+    return std::make_shared<const world::Level>(std::move(sketch));
+}
+
+bool wins(const std::shared_ptr<const world::Level>& level, std::uint32_t seed, const std::vector<input::Command>& run) {
+    sim::Simulation simulation(level, seed);
+    for (const input::Command& command : run) simulation.step(command);
+    return simulation.state().rules.outcome == world::Outcome::Won;
+}
+
 // Manners of going about it, from an artist's to a burglar's.
 std::optional<std::vector<input::Command>> find_win(const std::shared_ptr<const world::Level>& level,
                                                     std::uint32_t seed) {
+    const auto sketch = sketch_of(*level);
     for (std::uint32_t i = 0; i < 24; ++i) {
         const tools::Attempt attempt{.seed = seed,
                                      .side = (i / 2) % 4,
@@ -45,7 +72,8 @@ std::optional<std::vector<input::Command>> find_win(const std::shared_ptr<const 
                                      .most_alert = i < 8    ? world::Alert::Calm
                                                    : i < 16 ? world::Alert::Suspicious
                                                             : world::Alert::Searching};
-        auto run = tools::plan_win(level, attempt);
+        auto run = tools::plan_win(sketch, attempt);
+        if (run && !wins(level, seed, *run)) run.reset();
         fmt::print("attempt {}: side {}, errands {}: {}\n", i, attempt.side, attempt.runs_errands,
                    run ? fmt::format("wins in {} ticks", run->size()) : "gives up");
         std::fflush(stdout);

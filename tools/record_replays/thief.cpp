@@ -56,6 +56,24 @@ void press(const world::PlayerState& player, Button button, Command& command) {
     if ((player.buttons_before & button) == 0) command.buttons |= button;
 }
 
+// Whether a guard is near enough to hear a step.
+bool is_in_earshot(const world::Level& level, const world::State& state) {
+    constexpr float kEarshot = 12.0f;  // metres
+    for (std::size_t g = 0; g < level.guards.size(); ++g) {
+        if (sim::length_of(state.guards[g].position - state.player.position) < kEarshot) return true;
+    }
+    return false;
+}
+
+// Whether a thing is on this side of the wall: nothing but glass lies between it and eyes above the place.
+bool is_seen_from(const world::Snapshot& now, const glm::vec3& place, const glm::vec3& thing) {
+    constexpr float kSetIn = 0.15f;  // metres: frames, plates
+    const glm::vec3 eye = place + glm::vec3(0.0f, 1.5f, 0.0f);
+    const rc::Ray ray{.origin = eye, .direction = thing - eye, .t_max = 1.0f};
+    const auto hit = rc::closest_hit(*now.scene, ray, world::Sight);
+    return !hit || (1.0f - hit->t) * sim::length_of(ray.direction) < kSetIn;
+}
+
 template <class Things, class Place>
 std::uint32_t nearest_index(const sim::Navigation& navigation, const Things& things, const glm::vec3& to,
                             const Place& place_of) {
@@ -85,7 +103,7 @@ Thief::Thief(const world::Level& level, const sim::Navigation& navigation) : lev
     });
 }
 
-Thief::Goal Thief::reach_for(const world::State& state, const glm::vec3& thing, std::uint32_t side) const {
+Thief::Goal Thief::reach_for(const world::Snapshot& now, const glm::vec3& thing, std::uint32_t side) const {
     // Places all round the thing, on the floor one can get to; `side` picks among them, the nearest first.
     struct Stand {
         glm::vec3 place;
@@ -93,12 +111,12 @@ Thief::Goal Thief::reach_for(const world::State& state, const glm::vec3& thing, 
     };
     std::array<Stand, 12> stands;
     std::size_t count = 0;
-    const glm::vec3 feet = state.player.position;
+    const glm::vec3 feet = now.state.player.position;
     for (std::size_t i = 0; i < stands.size(); ++i) {
         const float yaw = kTwoPi * static_cast<float>(i) / static_cast<float>(stands.size());
         const glm::vec3 wanted = thing + world::forward_of_yaw(yaw) * 0.75f;
         const std::optional<glm::vec3> place = navigation_.nearest({wanted.x, thing.y - 1.0f, wanted.z});
-        if (!place || flat_length(*place - thing) > 1.1f) continue;
+        if (!place || flat_length(*place - thing) > 1.1f || !is_seen_from(now, *place, thing)) continue;
         const std::optional<float> metres = navigation_.distance(feet, *place);
         if (metres) stands[count++] = {*place, *metres};
     }
@@ -108,17 +126,18 @@ Thief::Goal Thief::reach_for(const world::State& state, const glm::vec3& thing, 
     return {.place = stands[side % count].place, .thing = thing, .is_thing = true};
 }
 
-Thief::Goal Thief::goal_of(const world::State& state, const Manner& manner) const {
+Thief::Goal Thief::goal_of(const world::Snapshot& now, const Manner& manner) const {
+    const world::State& state = now.state;
     for (std::uint32_t i = 0; i < level_.lenses.size(); ++i) {
         if (state.lens_taken[i] != 0) continue;
         if (manner.runs_errands && mirror_ != world::kNoIndex && state.mirrors[mirror_].target == 0.0f) {
-            return reach_for(state, level_.mirrors[mirror_].pivot + glm::vec3(0.0f, 0.6f, 0.0f), manner.side);
+            return reach_for(now, level_.mirrors[mirror_].pivot + glm::vec3(0.0f, 0.6f, 0.0f), manner.side);
         }
         if (manner.runs_errands && switch_ != world::kNoIndex &&
             state.group_on[level_.switches[switch_].group] != 0) {
-            return reach_for(state, level_.switches[switch_].position, manner.side);
+            return reach_for(now, level_.switches[switch_].position, manner.side);
         }
-        return reach_for(state, level_.lenses[i].centre, manner.side);
+        return reach_for(now, level_.lenses[i].centre, manner.side);
     }
     if (level_.exits.empty()) return {.place = state.player.position};
     const world::Aabb& exit = level_.exits.front();
@@ -168,7 +187,7 @@ Command Thief::go(const world::Snapshot& now, const glm::vec3& place, Move move)
     const float pace = std::clamp((alignment(player, way) - 0.4f) / 0.5f, 0.0f, 1.0f);
     const float brake = std::clamp(flat_length(place - player.position) / 0.5f, 0.25f, 1.0f);
     command.move_forward = input::quantise_move(pace * brake);
-    if (move == Move::Sneak) command.buttons |= Button::Crouch;
+    if (move == Move::Sneak || is_in_earshot(level_, now.state)) command.buttons |= Button::Crouch;
     if (move == Move::Run) command.buttons |= Button::Run;
     return command;
 }
@@ -192,7 +211,7 @@ Command Thief::steal(const world::Snapshot& now, const Manner& manner) const {
         return {.yaw = player.yaw, .pitch = player.pitch, .buttons = Button::Crouch};
     }
     if (manner.move == Move::GoBack) return go(now, level_.spawn.position, Move::Walk);
-    const Goal goal = goal_of(now.state, manner);
+    const Goal goal = goal_of(now, manner);
     const bool is_there = flat_length(goal.place - player.position) < kArrived;
     const bool is_in_reach = goal.is_thing && sim::length_of(goal.thing - world::eye_of(player)) < kArmsLength;
     if (goal.is_thing && (is_there || is_in_reach)) return handle_thing(now, goal.thing);

@@ -39,8 +39,8 @@ class Thief {
         glm::vec3 thing{0.0f};  // what to reach for, when there is something
         bool is_thing = false;
     };
-    [[nodiscard]] Goal goal_of(const world::State& state, const Manner& manner) const;
-    [[nodiscard]] Goal reach_for(const world::State& state, const glm::vec3& thing, std::uint32_t side) const;
+    [[nodiscard]] Goal goal_of(const world::Snapshot& now, const Manner& manner) const;
+    [[nodiscard]] Goal reach_for(const world::Snapshot& now, const glm::vec3& thing, std::uint32_t side) const;
     [[nodiscard]] input::Command go(const world::Snapshot& now, const glm::vec3& place, Move move) const;
     [[nodiscard]] input::Command open_door(const world::Snapshot& now, std::uint32_t door) const;
     [[nodiscard]] input::Command handle_thing(const world::Snapshot& now, const glm::vec3& thing) const;
