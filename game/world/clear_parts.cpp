@@ -9,7 +9,7 @@ namespace gh::world {
 bool has_clear_triangles(const Level& level, const Mesh& mesh) {
     return std::any_of(mesh.materials.begin(), mesh.materials.end(), [&](std::uint32_t id) {
         const Material& material = level.materials[id];
-        return material.transmission > 0.0f || material.alpha_mode != AlphaMode::Blocker;
+        return material.transmission > 0.0f || material.alpha_mode != AlphaMode::Opaque;
     });
 }
 
