@@ -16,12 +16,16 @@ namespace {
 // Looked up a little before the surface: the very wall one stands on must not count as what hides a point.
 constexpr float kNormalBias = 0.2f;  // of a cell
 
+constexpr float kUnlikely = 0.2f;
+
 // Chebyshev's bound on the share of directions nearby that reach as far as `distance`.
 float share_that_reaches(const glm::vec2& moments, float distance) {
     if (!(distance > moments.x)) return 1.0f;
     const float variance = std::max(moments.y - moments.x * moments.x, 1e-4f * moments.y);
     const float beyond = distance - moments.x;
-    const float share = variance / (variance + beyond * beyond);
+    // A bound is never quite 0; what is this unlikely is behind a wall.
+    const float share =
+        std::max(0.0f, variance / (variance + beyond * beyond) - kUnlikely) / (1.0f - kUnlikely);
     return share * share * share;
 }
 

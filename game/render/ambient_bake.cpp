@@ -24,7 +24,7 @@ namespace {
 
 constexpr float kPerPi = 1.0f / kPi;
 constexpr float kFaintest = 1e-4f;       // W/m2
-constexpr float kMostBackFaces = 0.25f;  // a point that sees more of them is inside a wall
+constexpr float kMostBackFaces = 0.25f;  // of the faces it sees; a point that sees more is inside a wall
 constexpr int kMostCrossings = 6;
 constexpr std::size_t kMostGroups = world::kMaxLampGroups + 1;
 
@@ -165,7 +165,7 @@ void look_round(Bake& bake, std::size_t point) {
     const float farthest = 2.0f * glm::length(grid.spacing);  // beyond the cell it does not matter how far
     const float cone = std::sqrt(4.0f * kPi / static_cast<float>(bake.settings.rays));
     std::vector<float> distances(bake.directions.size(), farthest);
-    int back_faces = 0;
+    int faces = 0, back_faces = 0;
     for (std::size_t i = 0; i < bake.directions.size(); ++i) {
         rc::Ray ray{.origin = eye, .direction = bake.directions[i]};
         glm::vec3 tint(1.0f);
@@ -176,6 +176,7 @@ void look_round(Bake& bake, std::size_t point) {
         }
         const float width = cone * glm::distance(eye, view.snapshot.scene->surface(*hit).position);
         const ShadingPoint at = shading_point(view, ray, *hit, width);
+        ++faces;
         distances[i] = std::min(farthest, glm::distance(eye, at.surface.position));
         if (!at.is_entering && !at.material->is_double_sided) {
             ++back_faces;
@@ -190,7 +191,7 @@ void look_round(Bake& bake, std::size_t point) {
         }
     }
     SightMap& sight = bake.result.sights[point];
-    const float share = static_cast<float>(back_faces) / static_cast<float>(bake.directions.size());
+    const float share = static_cast<float>(back_faces) / static_cast<float>(std::max(1, faces));
     sight.validity = share > kMostBackFaces ? 0.0f : 1.0f;
     set_sight(sight, bake.directions, distances);
 }

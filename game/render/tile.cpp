@@ -66,6 +66,7 @@ void TileTracer::add_primary_rays(int sample) {
         }
         PathRay path;
         path.ray = frame_.lens.ray(glm::vec2(static_cast<float>(x), static_cast<float>(y)) + at);
+        path.from = path.ray.origin;
         path.cone_angle = frame_.lens.pixel_angle();
         path.pixel = static_cast<std::uint16_t>(i);
         now_.push_back(path);
@@ -104,10 +105,12 @@ void TileTracer::shade_miss(const PathRay& path) {
 }
 
 void TileTracer::shade(PathRay path, const rc::Hit& hit, FrameStats& stats) {
-    if (const world::Material* glass = path.media.top(); glass != nullptr)
-        path.weight *= absorbed(*glass, hit.t);
     path.cone_width += path.cone_angle * hit.t;
     const ShadingPoint at = shading_point(frame_.view, path.ray, hit, path.cone_width);
+    if (const world::Material* glass = path.media.top(); glass != nullptr) {
+        path.weight *= absorbed(*glass, glm::distance(path.from, at.surface.position));
+    }
+    path.from = at.surface.position;
     if (pass_through_hole(path, at, stats)) return;
 
     if (frame_.light.emission_on[at.part] != 0) {
