@@ -67,15 +67,14 @@ std::optional<std::vector<input::Command>> find_win(const std::shared_ptr<const 
     const auto sketch = sketch_of(*level);
     for (std::uint32_t i = 0; i < 24; ++i) {
         const tools::Attempt attempt{.seed = seed,
-                                     .side = (i / 2) % 4,
-                                     .runs_errands = i % 2 == 0,
-                                     .most_alert = i < 8    ? world::Alert::Calm
-                                                   : i < 16 ? world::Alert::Suspicious
-                                                            : world::Alert::Searching};
+                                     .side = (i / 3) % 4,
+                                     .turns_mirror = i % 3 != 1,
+                                     .puts_out_lamps = i % 3 == 2,
+                                     .most_alert = i < 12 ? world::Alert::Suspicious : world::Alert::Searching};
         auto run = tools::plan_win(sketch, attempt);
         if (run && !wins(level, seed, *run)) run.reset();
-        fmt::print("attempt {}: side {}, errands {}: {}\n", i, attempt.side, attempt.runs_errands,
-                   run ? fmt::format("wins in {} ticks", run->size()) : "gives up");
+        fmt::print("attempt {}: side {}, mirror {}, lamps {}: {}\n", i, attempt.side, attempt.turns_mirror,
+                   attempt.puts_out_lamps, run ? fmt::format("wins in {} ticks", run->size()) : "gives up");
         std::fflush(stdout);
         if (run) return run;
     }

@@ -2,13 +2,16 @@
 
 #include <utility>
 
+#include "sim/geometry.h"
+
 namespace gh::tools {
 
 namespace {
 
-constexpr int kWaitTicks = 240;            // one more of these is waited at a time
-constexpr int kMostWaits = 22;             // a guard's round and a half
+constexpr int kWaitTicks = 180;            // one more of these is waited at a time
+constexpr int kMostWaits = 30;             // a guard's round and a half
 constexpr int kMostErrandTicks = 60 * 90;  // nothing is further away than that
+constexpr int kStuckTicks = 240;
 constexpr int kArrestTicks = 60 * 180;
 
 // How much of the job is done: whatever changes it is the end of an errand.
@@ -36,7 +39,7 @@ class Search {
             if (does_errand() && can_finish()) return true;
             simulation_.restore(waited);
             run_.resize(run_here + static_cast<std::size_t>(i) * kWaitTicks);
-            if (!go_on(Move::Wait, kWaitTicks)) return false;  // noticed where it hides
+            if (!go_on(Move::Hide, kWaitTicks)) return false;  // noticed where it hides
             waited = simulation_.state();
         }
         return false;
@@ -55,7 +58,10 @@ class Search {
     }
 
     bool go_on(Move move, int ticks) {
-        const Manner manner{.move = move, .side = attempt_.side, .runs_errands = attempt_.runs_errands};
+        const Manner manner{.move = move,
+                            .side = attempt_.side,
+                            .turns_mirror = attempt_.turns_mirror,
+                            .puts_out_lamps = attempt_.puts_out_lamps};
         for (int i = 0; i < ticks; ++i) {
             run_.push_back(thief_.steal(*simulation_.snapshot(), manner));
             simulation_.step(run_.back());
@@ -66,9 +72,14 @@ class Search {
 
     bool does_errand() {
         const int before = progress(level_, simulation_.state());
+        glm::vec3 was_at = simulation_.state().player.position;
         for (int i = 0; i < kMostErrandTicks; ++i) {
             if (!go_on(Move::Walk, 1)) return false;
             if (progress(level_, simulation_.state()) > before) return true;
+            if (i % kStuckTicks != kStuckTicks - 1) continue;
+            const glm::vec3 is_at = simulation_.state().player.position;
+            if (sim::length_of(is_at - was_at) < 0.1f) return false;  // an open leaf is in the way
+            was_at = is_at;
         }
         return false;
     }

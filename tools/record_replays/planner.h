@@ -20,7 +20,8 @@ namespace gh::tools {
 struct Attempt {
     std::uint32_t seed = 1;           // of the simulation
     std::uint32_t side = 0;           // see Manner
-    bool runs_errands = true;
+    bool turns_mirror = true;
+    bool puts_out_lamps = true;
     world::Alert most_alert = world::Alert::Calm;  // that any guard may ever reach
 };
 

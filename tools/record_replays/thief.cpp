@@ -26,6 +26,7 @@ constexpr float kArrived = 0.16f;      // metres from a place to stand
 constexpr float kTurnShare = 0.16f;    // of what is left to turn, a tick: a hand on a mouse
 constexpr float kMostTurn = 0.09f;     // radians a tick
 constexpr float kArmsLength = 1.35f;   // metres from the eye at which a thing is comfortably reached
+constexpr float kFarthestShelter = 12.0f;  // metres
 constexpr float kErrandDetour = 14.0f;  // metres a thief goes out of the way to put out a lamp
 
 // The view turned towards a direction, as quickly as a hand turns it.
@@ -91,9 +92,34 @@ std::uint32_t nearest_index(const sim::Navigation& navigation, const Things& thi
     return nearest;
 }
 
+// Where a guard's eyes are on his round, every two metres.
+void add_round(const sim::Navigation& navigation, const world::Guard& guard, std::vector<glm::vec3>& eyes) {
+    glm::vec3 at = guard.patrol.empty() ? guard.position : guard.patrol.back().position;
+    for (const world::PatrolPoint& point : guard.patrol) {
+        std::array<glm::vec3, world::kMaxPathCorners> corners;
+        const sim::Path path = navigation.find_path(at, point.position, corners);
+        for (std::size_t i = 0; i < path.corners; ++i) {
+            const glm::vec3 leg = corners[i] - at;
+            const int steps = 1 + static_cast<int>(sim::length_of(leg) / 2.0f);
+            for (int s = 1; s <= steps; ++s) {
+                const float share = static_cast<float>(s) / static_cast<float>(steps);
+                eyes.push_back(at + leg * share + glm::vec3(0.0f, 1.65f, 0.0f));
+            }
+            at = corners[i];
+        }
+    }
+}
+
 }  // namespace
 
 Thief::Thief(const world::Level& level, const sim::Navigation& navigation) : level_(level), navigation_(navigation) {
+    for (float z = level.bounds.min.z; z <= level.bounds.max.z; z += 1.0f) {
+        for (float x = level.bounds.min.x; x <= level.bounds.max.x; x += 1.0f) {
+            const std::optional<glm::vec3> place = navigation.nearest({x, level.spawn.position.y + 0.5f, z});
+            if (place && flat_length(*place - glm::vec3(x, 0.0f, z)) < 0.5f) shelters_.push_back(*place);
+        }
+    }
+    for (const world::Guard& guard : level.guards) add_round(navigation, guard, rounds_);
     if (level.lenses.empty()) return;
     const glm::vec3 lens = level.lenses.front().centre;
     switch_ = nearest_index(navigation, level.switches, lens,
@@ -130,10 +156,10 @@ Thief::Goal Thief::goal_of(const world::Snapshot& now, const Manner& manner) con
     const world::State& state = now.state;
     for (std::uint32_t i = 0; i < level_.lenses.size(); ++i) {
         if (state.lens_taken[i] != 0) continue;
-        if (manner.runs_errands && mirror_ != world::kNoIndex && state.mirrors[mirror_].target == 0.0f) {
+        if (manner.turns_mirror && mirror_ != world::kNoIndex && state.mirrors[mirror_].target == 0.0f) {
             return reach_for(now, level_.mirrors[mirror_].pivot + glm::vec3(0.0f, 0.6f, 0.0f), manner.side);
         }
-        if (manner.runs_errands && switch_ != world::kNoIndex &&
+        if (manner.puts_out_lamps && switch_ != world::kNoIndex &&
             state.group_on[level_.switches[switch_].group] != 0) {
             return reach_for(now, level_.switches[switch_].position, manner.side);
         }
@@ -159,12 +185,41 @@ Command Thief::open_door(const world::Snapshot& now, std::uint32_t door) const {
         }
         return command;
     }
-    // It swings; make room in case it swings this way.
-    if (flat_length(handle - player.position) < 0.9f) command.move_forward = -70;
+    // It swings; make room in case it swings this way: a leaf is wider than an arm is long.
+    if (flat_length(handle - player.position) < 1.75f) command.move_forward = -90;
     return command;
 }
 
-Command Thief::go(const world::Snapshot& now, const glm::vec3& place, Move move) const {
+bool Thief::is_overlooked(const world::Snapshot& now, const glm::vec3& place) const {
+    constexpr std::array<glm::vec3, 5> kBody = {glm::vec3(0.0f, 0.6f, 0.0f), glm::vec3(0.35f, 1.05f, 0.0f),
+                                                glm::vec3(-0.35f, 1.05f, 0.0f), glm::vec3(0.0f, 0.3f, 0.35f),
+                                                glm::vec3(0.0f, 0.3f, -0.35f)};
+    for (const glm::vec3& point : kBody) {
+        for (const glm::vec3& eye : rounds_) {
+            const rc::Ray ray{.origin = eye, .direction = place + point - eye, .t_max = 1.0f};
+            const bool is_far = sim::length_of(ray.direction) > 25.0f;
+            if (!is_far && !rc::any_hit(*now.scene, ray, world::Sight)) return true;
+        }
+    }
+    return false;
+}
+
+Command Thief::hide(const world::Snapshot& now) const {
+    const world::PlayerState& player = now.state.player;
+    glm::vec3 shelter = player.position;
+    float best = kFarthestShelter;
+    for (const glm::vec3& place : shelters_) {
+        if (sim::length_of(place - player.position) >= best || is_overlooked(now, place)) continue;
+        const float metres = navigation_.distance(player.position, place).value_or(best);
+        if (metres >= best) continue;
+        best = metres;
+        shelter = place;
+    }
+    if (flat_length(shelter - player.position) > 2.0f * kArrived) return go(now, shelter);
+    return {.yaw = player.yaw, .pitch = player.pitch, .buttons = Button::Crouch};
+}
+
+Command Thief::go(const world::Snapshot& now, const glm::vec3& place) const {
     const world::PlayerState& player = now.state.player;
     std::array<glm::vec3, world::kMaxPathCorners> corners;
     const sim::Path path = navigation_.find_path(player.position, place, corners);
@@ -174,12 +229,20 @@ Command Thief::go(const world::Snapshot& now, const glm::vec3& place, Move move)
 
     // A closed door ahead is opened, whatever else is on.
     const glm::vec3 chest = player.position + glm::vec3(0.0f, 1.0f, 0.0f);
-    const glm::vec3 ahead = sim::unit_or_zero(way) * 1.1f;
+    const glm::vec3 ahead = sim::unit_or_zero(way) * 1.4f;
     if (ahead != glm::vec3(0.0f)) {
         const auto hit = rc::sphere_cast(*now.scene, chest, 0.2f, ahead, world::Solid);
         if (hit && level_.parts[hit->instance].mover == world::Mover::Door) {
             const std::uint32_t door = level_.parts[hit->instance].mover_index;
             if (sim::openness(level_, now.state, door) < 0.95f) return open_door(now, door);
+            // A leaf that stands open in the way is shut first.
+            const bool is_held_up = flat_length(player.velocity) < 0.3f && hit->t * 1.4f < 0.6f;
+            if (is_held_up && alignment(player, way) > 0.9f) {
+                Command command = turned_towards(player, way);
+                const sim::UseTarget target = sim::use_target(level_, now, player);
+                if (target.kind == sim::UseKind::Door && target.index == door) press(player, Button::Use, command);
+                return command;
+            }
         }
     }
     const glm::vec3 gaze = way + glm::vec3(0.0f, -0.06f * flat_length(way), 0.0f);
@@ -187,8 +250,7 @@ Command Thief::go(const world::Snapshot& now, const glm::vec3& place, Move move)
     const float pace = std::clamp((alignment(player, way) - 0.4f) / 0.5f, 0.0f, 1.0f);
     const float brake = std::clamp(flat_length(place - player.position) / 0.5f, 0.25f, 1.0f);
     command.move_forward = input::quantise_move(pace * brake);
-    if (move == Move::Sneak || is_in_earshot(level_, now.state)) command.buttons |= Button::Crouch;
-    if (move == Move::Run) command.buttons |= Button::Run;
+    if (is_in_earshot(level_, now.state)) command.buttons |= Button::Crouch;
     return command;
 }
 
@@ -207,15 +269,13 @@ Command Thief::handle_thing(const world::Snapshot& now, const glm::vec3& thing) 
 
 Command Thief::steal(const world::Snapshot& now, const Manner& manner) const {
     const world::PlayerState& player = now.state.player;
-    if (manner.move == Move::Wait) {
-        return {.yaw = player.yaw, .pitch = player.pitch, .buttons = Button::Crouch};
-    }
-    if (manner.move == Move::GoBack) return go(now, level_.spawn.position, Move::Walk);
+    if (manner.move == Move::Hide) return hide(now);
     const Goal goal = goal_of(now, manner);
     const bool is_there = flat_length(goal.place - player.position) < kArrived;
-    const bool is_in_reach = goal.is_thing && sim::length_of(goal.thing - world::eye_of(player)) < kArmsLength;
+    const bool is_in_reach = goal.is_thing && sim::length_of(goal.thing - world::eye_of(player)) < kArmsLength &&
+                             is_seen_from(now, player.position, goal.thing);
     if (goal.is_thing && (is_there || is_in_reach)) return handle_thing(now, goal.thing);
-    return go(now, goal.place, manner.move);
+    return go(now, goal.place);
 }
 
 Command Thief::get_caught(const world::Snapshot& now) const {
@@ -231,7 +291,7 @@ Command Thief::get_caught(const world::Snapshot& now) const {
         if (distance < flat_length(state.guards[nearest].position - state.player.position)) nearest = g;
     }
     const glm::vec3 guard = state.guards[nearest].position;
-    if (flat_length(guard - state.player.position) > 3.0f) return go(now, guard, Move::Walk);
+    if (flat_length(guard - state.player.position) > 3.0f) return go(now, guard);
     return turned_towards(state.player, guard + glm::vec3(0.0f, 1.6f, 0.0f) - world::eye_of(state.player));
 }
 

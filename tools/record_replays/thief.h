@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "input/command.h"
 #include "sim/navigation.h"
@@ -14,13 +15,14 @@
 
 namespace gh::tools {
 
-enum class Move : std::uint8_t { Walk, Sneak, Run, Wait, GoBack };
+enum class Move : std::uint8_t { Walk, Hide };
 
 // How this thief goes about it.
 struct Manner {
     Move move = Move::Walk;
     std::uint32_t side = 0;        // from which side it reaches for things
-    bool runs_errands = true;      // puts out the lamps at the lens, turns a mirror in passing
+    bool turns_mirror = true;      // the one nearest to the lens, in passing
+    bool puts_out_lamps = true;    // at the lens
 };
 
 class Thief {
@@ -41,12 +43,17 @@ class Thief {
     };
     [[nodiscard]] Goal goal_of(const world::Snapshot& now, const Manner& manner) const;
     [[nodiscard]] Goal reach_for(const world::Snapshot& now, const glm::vec3& thing, std::uint32_t side) const;
-    [[nodiscard]] input::Command go(const world::Snapshot& now, const glm::vec3& place, Move move) const;
+    [[nodiscard]] input::Command go(const world::Snapshot& now, const glm::vec3& place) const;
+    // To the nearest place that no guard's round overlooks, as the doors stand now; there it crouches.
+    [[nodiscard]] input::Command hide(const world::Snapshot& now) const;
+    [[nodiscard]] bool is_overlooked(const world::Snapshot& now, const glm::vec3& place) const;
     [[nodiscard]] input::Command open_door(const world::Snapshot& now, std::uint32_t door) const;
     [[nodiscard]] input::Command handle_thing(const world::Snapshot& now, const glm::vec3& thing) const;
 
     const world::Level& level_;
     const sim::Navigation& navigation_;
+    std::vector<glm::vec3> shelters_;  // places all over the floor
+    std::vector<glm::vec3> rounds_;    // eyes of guards along their rounds
     std::uint32_t switch_ = world::kNoIndex;  // of the lamps nearest to the first lens
     std::uint32_t mirror_ = world::kNoIndex;  // the turnable one nearest to it
 };
