@@ -36,7 +36,7 @@ int render(const RenderOptions& options) {
 
     const auto path = resolve_level(options.scene);
     if (!path) return refuse(path.error());
-    auto loaded = load::load_level(*path);
+    auto loaded = load::load_level(*path, {.finds_ways = false});
     if (!loaded) return refuse(loaded.error());
     const auto level = std::make_shared<const world::Level>(*std::move(loaded));
 

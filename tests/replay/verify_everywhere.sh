@@ -14,8 +14,8 @@ for recording in "$root"/assets/replays/*.rec; do
     for binary in "$@"; do
         for isa in scalar avx2 avx512; do
             for threads in 1 2 8; do
-                # Thread counts are told apart on the widest kernels only where scalar would take minutes.
-                [ "$isa" = scalar ] && [ "$threads" != 2 ] && continue
+                # Every thread count with the kernels most machines have; the others once.
+                [ "$isa" != avx2 ] && [ "$threads" != 2 ] && continue
                 status=0
                 output=$("$binary" replay "$recording" --verify --threads "$threads" --isa "$isa" 2>&1) || status=$?
                 case $output in *"this machine has no"*) continue ;; esac
