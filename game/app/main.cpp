@@ -12,6 +12,8 @@ template <class... Cases>
 struct Match : Cases... {
     using Cases::operator()...;
 };
+template <class... Cases>
+Match(Cases...) -> Match<Cases...>;
 
 int run(int argc, char** argv) {
     const std::variant<gh::app::Options, int> parsed = gh::app::parse_options(argc, argv);

@@ -12,10 +12,10 @@ namespace gh::load {
 
 struct Walkways::Detour {
     struct FreeMesh {
-        void operator()(dtNavMesh* mesh) const { dtFreeNavMesh(mesh); }
+        void operator()(dtNavMesh* owned) const { dtFreeNavMesh(owned); }
     };
     struct FreeQuery {
-        void operator()(dtNavMeshQuery* query) const { dtFreeNavMeshQuery(query); }
+        void operator()(dtNavMeshQuery* owned) const { dtFreeNavMeshQuery(owned); }
     };
     std::unique_ptr<dtNavMesh, FreeMesh> mesh;
     std::unique_ptr<dtNavMeshQuery, FreeQuery> query;
