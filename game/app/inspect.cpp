@@ -3,6 +3,7 @@
 
 #include "app/assets.h"
 #include "app/commands.h"
+#include "app/printable.h"
 #include "input/replay.h"
 #include "world/state.h"
 
@@ -61,14 +62,14 @@ int inspect(const InspectOptions& options) {
     if (path.extension() == ".rec" || path.extension() == ".part") {
         const auto replay = input::read_replay(path);
         if (!replay) return refuse(replay.error());
-        std::cout << describe_replay(path.string(), *replay);
+        std::cout << printable(describe_replay(path.string(), *replay));
         return kExitFine;
     }
     const auto level = resolve_level(options.file);
     if (!level) return refuse(level.error());
     const auto page = load::describe_level(*level);
     if (!page) return refuse(page.error());
-    std::cout << *page;
+    std::cout << printable(*page);
     return kExitFine;
 }
 

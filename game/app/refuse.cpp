@@ -1,11 +1,12 @@
 #include "app/commands.h"
+#include "app/printable.h"
 
 #include <iostream>
 
 namespace gh::app {
 
 int refuse(const Error& error) {
-    std::cerr << "glasshouse: " << error.sentence << '\n';
+    std::cerr << "glasshouse: " << printable(error.sentence) << '\n';
     return kExitUnusable;
 }
 
