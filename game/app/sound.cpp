@@ -5,7 +5,7 @@
 #include "audio/mixer.h"
 #include "audio/sound_bank.h"
 #include "audio/soundscape.h"
-#include "sense/hearing.h"
+#include "sim/carry.h"
 #include "world/eye.h"
 
 #include <glm/geometric.hpp>
@@ -21,6 +21,8 @@ struct Sound::Data {
     audio::Soundscape soundscape;
     bool is_loopback = false;
     std::vector<audio::Heard> heard;
+    std::unique_ptr<sim::Navigation> ways;  // made for `level`
+    const world::Level* level = nullptr;
     std::array<float, 2 * audio::kFramesPerTick> tick{};
 };
 
@@ -52,7 +54,8 @@ Result<std::unique_ptr<Sound>> Sound::open_device() {
         new Sound(std::make_unique<Data>(Data{.mixer = *std::move(mixer),
                                               .soundscape = audio::Soundscape(*bank),
                                               .is_loopback = false,
-                                              .heard = {}})));
+                                              .heard = {},
+                                              .ways = nullptr})));
 }
 
 Result<std::unique_ptr<Sound>> Sound::open_loopback() {
@@ -64,18 +67,24 @@ Result<std::unique_ptr<Sound>> Sound::open_loopback() {
         new Sound(std::make_unique<Data>(Data{.mixer = *std::move(mixer),
                                               .soundscape = audio::Soundscape(*bank),
                                               .is_loopback = true,
-                                              .heard = {}})));
+                                              .heard = {},
+                                              .ways = nullptr})));
 }
 
 void Sound::note_tick(const world::Level& level, const world::Snapshot& now) {
     Data& d = *data_;
     const audio::Ear ear = ear_of(now.state.player);
+    if (d.level != &level) {
+        d.ways = std::make_unique<sim::Navigation>(level);
+        d.level = &level;
+    }
     d.heard.clear();
     for (const audio::Source& source : d.soundscape.sources(level, now.state, ear.position)) {
         d.heard.push_back(
             source.is_everywhere
                 ? audio::heard_everywhere(source, ear)
-                : audio::heard_by(source, sense::hear(level, *now.scene, source.position, ear.position)));
+                : audio::heard_by(source, sim::carry_sound(level, *now.scene, *d.ways, source.position,
+                                                           ear.position, now.state.player.position)));
     }
     d.mixer.tick(ear, d.heard);
     if (d.is_loopback) d.mixer.render(d.tick);

@@ -1,6 +1,5 @@
 // What guards see and hear: sense's answers, written down in State for the next tick's decisions.
 #include <algorithm>
-#include <array>
 #include <span>
 
 #include "base/det_math.h"
@@ -8,6 +7,7 @@
 #include "sense/exposure.h"
 #include "sense/hearing.h"
 #include "sense/sight.h"
+#include "sim/carry.h"
 #include "sim/geometry.h"
 #include "sim/guards.h"
 #include "sim/noises.h"
@@ -54,17 +54,12 @@ void look(const GuardWorld& now, const sense::Body& body, std::size_t g, world::
 // The level of one noise at a guard's ear: through walls, around corners, or along the corridors.
 float heard_db(const GuardWorld& now, const world::Noise& noise, const glm::vec3& ear, const glm::vec3& feet) {
     constexpr float kOffFloor = 0.05f;  // metres: steps sound from just above what they fall on
-    constexpr float kCarriedAt = 1.2f;  // metres above the floor, along corridors
     const glm::vec3 source = noise.position + glm::vec3(0.0f, kOffFloor, 0.0f);
     const float distance = length_of(source - ear);
     const float at_best = noise.loudness_db - 20.0f * det::log10(std::max(distance, 0.3f));
     if (at_best <= kFaintestDb) return sense::kSilenceDb;
-    std::array<glm::vec3, 12> corners;
-    const Path path = now.navigation.find_path(source, feet, corners);
-    const std::size_t bends = path.arrives && path.corners > 1 ? path.corners - 1 : 0;  // the last is the guard
-    for (std::size_t i = 0; i < bends; ++i) corners[i].y += kCarriedAt;
-    const sense::Transmission transmission = sense::hear(now.level, *now.snapshot.scene, source, ear,
-                                                         std::span<const glm::vec3>(corners).first(bends));
+    const sense::Transmission transmission =
+        carry_sound(now.level, *now.snapshot.scene, now.navigation, source, ear, feet);
     return sense::level_db(noise.loudness_db, transmission);
 }
 
