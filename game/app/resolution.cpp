@@ -7,7 +7,8 @@ namespace gh::app {
 
 namespace {
 
-constexpr float kFewestPixels = 160.0f * 90.0f;
+constexpr float kFewestPixels =
+    240.0f * 135.0f;  // with fewer a room can not be read; then rather fewer frames
 constexpr float kMostPixels = 3840.0f * 2160.0f;
 
 int multiple_of_8(float length) {

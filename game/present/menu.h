@@ -9,7 +9,7 @@ struct MenuSettings {
     float mouse_sensitivity = 1.0f;
     float volume = 0.8f;            // 0..1
     float brightness = 0.0f;        // stops
-    float frames_a_second = 30.0f;  // what the resolution is traded for
+    float frames_a_second = 24.0f;  // what the resolution is traded for
     bool inverts_y = false;
     bool toggles_crouch = false;
     bool shows_captions = true;
