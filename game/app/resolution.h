@@ -13,8 +13,9 @@ class Resolution {
     // off by more than a tenth, so that the picture does not breathe.
     void note_frame(float render_ms, float wanted_ms);
 
-    // The size to render for a framebuffer of this size: its shape, at most its size, of at least 240 x 135 pixels (or all of a smaller window). Both
-    // sides are multiples of 8. {0, 0} for a framebuffer without area.
+    // The size to render for a framebuffer of this size: its shape, at most its size, and at least as many pixels as
+    // 240 x 135 has (or all of a smaller window). Both sides are multiples of 8 unless it is the whole framebuffer.
+    // {0, 0} for one without area.
     [[nodiscard]] glm::ivec2 size_for(glm::ivec2 framebuffer) const;
 
     [[nodiscard]] float pixels() const { return pixels_; }
