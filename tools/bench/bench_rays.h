@@ -5,6 +5,7 @@
 
 #include "raycore/query.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,17 @@ struct RaySet {
     std::string name;
     bool any = false;  // whether only "is there anything" is asked
     std::vector<rc::Ray> rays;
+};
+
+// What was answered, in so few words that nobody's loop is slowed by them.
+struct Answer {
+    std::uint64_t hits = 0;
+    std::uint64_t hash = 0;  // over (hit, primitive) in the order of the rays
+
+    void add(bool is_hit, std::uint32_t primitive) {
+        hits += is_hit;
+        hash = (hash ^ (is_hit ? primitive + 1u : 0u)) * 0x100000001B3u;
+    }
 };
 
 // Primary (1280x720 pinhole in 8x8 tiles; every `keep`-th tile), shadow to random lamp points, ambient occlusion of

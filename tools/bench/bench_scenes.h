@@ -1,4 +1,6 @@
-// bench_scenes.h - what benchmarks look at: a procedural interior, or a file's triangles made one mesh.
+// bench_scenes.h - what benchmarks look at: generated scenes, or a file's triangles made one mesh.
+//
+// The generated ones are the same floats on every run (bench_generated.cpp): metres, +y up, seeds fixed.
 #pragma once
 
 #include "raycore/mesh.h"
@@ -28,10 +30,16 @@ struct BenchScene {
     [[nodiscard]] rc::MeshView view() const { return {positions, triangles}; }
 };
 
-// A hall with fluted columns, statues, coffers and panelling: 270 k triangles, many of them long and thin.
+// A hall with fluted columns, statues, coffers and panelling: 226 k triangles, most of them long and thin.
 [[nodiscard]] BenchScene make_interior();
 
-// Nothing when the file can not be read; the sentence is on stderr.
+// Hills strewn with boulders, seen from eye height: a million triangles of much the same size.
+[[nodiscard]] BenchScene make_landscape();
+
+// "Teapot in a stadium": a million triangles a fraction of a millimetre wide on a plinth between few tens of metres wide.
+[[nodiscard]] BenchScene make_stadium();
+
+// Nothing when the file can not be read; the sentence is on stderr. Aimed by the file's first camera if it has one.
 [[nodiscard]] std::optional<BenchScene> read_scene(const std::string& path);
 
 }  // namespace bench

@@ -1,39 +1,74 @@
-// embree_side.h - Embree 3 asked the same rays, for comparison. Nothing of it outside this file's pair.
+// embree_side.h - Embree 3 asked the same rays, for comparison. Nothing of it outside embree_*.cpp.
+//
+// Threads   a side is built with `threads` threads and may then be asked by any number.
 #pragma once
 
 #include "bench_rays.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
 
 namespace bench {
 
-enum class EmbreeMode {
-    Fast,
-    Robust
-};  // Fast: high quality (spatial splits); Robust: its robust flag as well
+enum class EmbreeMode { Fast, Robust };
+enum class EmbreeQuality { Low, Medium, High };  // Morton codes; binned SAH; spatial splits
 enum class EmbreeCall { Single, Packet16 };
 
-struct Answer {
-    std::uint64_t hits = 0;
-    std::uint64_t hash = 0;  // order-dependent over (hit, primitive)
-
-    void add(bool is_hit, std::uint32_t primitive) {
-        hits += is_hit;
-        hash = (hash ^ (is_hit ? primitive + 1u : 0u)) * 0x100000001B3u;
-    }
+struct BuildTime {
+    double wall_ms = 0;
+    double core_ms = 0;  // processor time of the whole process meanwhile
 };
 
 class EmbreeSide {
   public:
-    EmbreeSide(const BenchScene& scene, EmbreeMode mode, bool high_quality, unsigned threads);
+    EmbreeSide(const BenchScene& scene, EmbreeMode mode, EmbreeQuality quality, unsigned threads);
     ~EmbreeSide();
     EmbreeSide(const EmbreeSide&) = delete;
     EmbreeSide& operator=(const EmbreeSide&) = delete;
 
-    [[nodiscard]] double build_ms() const;
-    [[nodiscard]] Answer ask(const RaySet& set, EmbreeCall call) const;
+    [[nodiscard]] BuildTime build_time() const;
+    [[nodiscard]] std::size_t byte_size() const;  // kept by the device, vertices and indices included
+
+    [[nodiscard]] Answer ask(std::span<const rc::Ray> rays, bool any, EmbreeCall call) const;
+    // hits[i] answers rays[i] as raycore would say it; instance is 0.
+    void closest(std::span<const rc::Ray> rays, EmbreeCall call, std::span<rc::Hit> hits) const;
+    void any(std::span<const rc::Ray> rays, EmbreeCall call, std::span<std::uint8_t> is_hit) const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+// A mesh whose vertices move every frame (RTC_BUILD_QUALITY_REFIT in a dynamic scene).
+class EmbreeCloth {
+  public:
+    EmbreeCloth(const BenchScene& scene, unsigned threads);
+    ~EmbreeCloth();
+    EmbreeCloth(const EmbreeCloth&) = delete;
+    EmbreeCloth& operator=(const EmbreeCloth&) = delete;
+
+    // Moves and refits; what it took, the copying of the vertices left out.
+    BuildTime move(std::span<const glm::vec3> positions);
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+// Many instances of one mesh, all of which move every frame.
+class EmbreeCrowd {
+  public:
+    EmbreeCrowd(const BenchScene& mesh, std::span<const glm::mat4x3> places, EmbreeQuality quality,
+                unsigned threads);
+    ~EmbreeCrowd();
+    EmbreeCrowd(const EmbreeCrowd&) = delete;
+    EmbreeCrowd& operator=(const EmbreeCrowd&) = delete;
+
+    // Sets every transform and commits.
+    BuildTime move(std::span<const glm::mat4x3> places);
+    [[nodiscard]] Answer ask(std::span<const rc::Ray> rays, bool any) const;
 
   private:
     struct Impl;
