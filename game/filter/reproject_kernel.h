@@ -1,0 +1,49 @@
+// filter/reproject_kernel.h - plain data between reproject.cpp and its kernels.
+#pragma once
+
+#include "filter/gbuffer.h"
+#include "filter/reproject.h"
+
+#include <cstdint>
+
+namespace gh::filter {
+
+// Picture coordinates of p: d = p - eye; (across . d, down . d) / (ahead . d).
+struct Projector {
+    float eye[3], across[3], down[3], ahead[3];
+};
+
+// The rows of the inverse of (right, down, corner).
+[[nodiscard]] Projector projector_of(const Pinhole& lens);
+
+struct ReprojectRow {
+    Projector now, then;
+    const float* position[3];
+    const float* previous[3];
+    const float* normal[3];
+    const float* roughness;  // may be null
+    const float* reflected;  // null: motion of the surface
+    const std::uint32_t* part;
+    int width;  // of this frame's row
+    float y;    // of its pixels' centres
+
+    const float* then_place;  // Texels::row(0), four floats a texel
+    const float* then_facing;
+    int then_width, then_height, then_stride;
+    float scale_x, scale_y;  // of the last picture relative to this one
+
+    std::int32_t* first;
+    float* weight[4];
+};
+
+struct RememberRow {
+    const float* position[3];
+    const float* normal[3];
+    const float* roughness;  // may be null
+    const std::uint32_t* part;
+    int width;
+    float* place;
+    float* facing;
+};
+
+}  // namespace gh::filter
