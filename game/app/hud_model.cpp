@@ -79,6 +79,8 @@ std::string cue_words(world::Cue cue) {
             return "saw you in a mirror";
         case world::Cue::Heard:
             return "heard something";
+        case world::Cue::Struck:
+            return "was hit by a stone";
     }
     return "";
 }

@@ -1,11 +1,13 @@
 #include "sim/doors.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "raycore/query.h"
 
 #include "sim/geometry.h"
+#include "sim/guards.h"
 #include "sim/noises.h"
 #include "sim/player.h"
 #include "spatial/transforms.h"
@@ -15,11 +17,12 @@ namespace gh::sim {
 
 namespace {
 
-constexpr float kDoorOpenDb = 52.0f;
+constexpr float kDoorOpenDb = 52.0f;  // of oak
 constexpr float kDoorCloseDb = 56.0f;
+constexpr float kGlassDb = -9.0f;  // a vitrine's lid is lifted, not slammed
+constexpr float kMetalDb = 5.0f;
 constexpr float kMirrorDb = 44.0f;
 constexpr float kTurnTicks = 30.0f;   // a mirror's step
-constexpr float kGuardHeight = 1.8f;  // metres
 
 float angle_wanted(const world::Door& door, const world::DoorState& state) {
     return state.wants_open != 0 ? door.open_angle : 0.0f;
@@ -30,10 +33,14 @@ bool touches_somebody(const world::Level& level, const DoorBodies& bodies, const
     if (bodies.overlaps(level, state, door, body_of(state.player))) return true;
     if (state.doors[door].held_until_tick != 0) return false;  // the guard's own hand is on it
     for (std::size_t g = 0; g < level.guards.size(); ++g) {
-        const Body guard{.feet = state.guards[g].position, .radius = kGuardRadius, .height = kGuardHeight};
-        if (bodies.overlaps(level, state, door, guard)) return true;
+        if (bodies.overlaps(level, state, door, body_of(state.guards[g]))) return true;
     }
     return false;
+}
+
+float loudness_by(world::Surface surface) {
+    if (surface == world::Surface::Glass || surface == world::Surface::Pane) return kGlassDb;
+    return surface == world::Surface::Metal ? kMetalDb : 0.0f;
 }
 
 void close_when_due(const world::Level& level, world::State& state, std::size_t door) {
@@ -70,13 +77,31 @@ bool DoorBodies::overlaps(const world::Level& level, const world::State& state, 
     return rc::capsule_overlaps(*closed_[door], axis_door, body.radius + kMargin, rc::kAllLayers, contact) != 0;
 }
 
+world::Surface door_surface(const world::Level& level, std::size_t door) {
+    std::array<float, world::kSurfaceCount> area{};
+    for (std::uint32_t p = 0; p < level.parts.size(); ++p) {
+        const world::Part& part = level.parts[p];
+        if (part.mover != world::Mover::Door || part.mover_index != door) continue;
+        const world::Mesh& mesh = level.meshes[part.mesh];
+        for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+            const glm::uvec3& corner = mesh.triangles[i];
+            const glm::vec3 a = mesh.positions[corner.x];
+            const glm::vec3 across = glm::cross(mesh.positions[corner.y] - a, mesh.positions[corner.z] - a);
+            area[static_cast<std::size_t>(surface_at(level, p, i))] += length_of(across);
+        }
+    }
+    const auto most = std::max_element(area.begin(), area.end());
+    return static_cast<world::Surface>(most - area.begin());
+}
+
 void toggle_door(const world::Level& level, world::State& state, std::size_t door, std::uint8_t by_guard) {
     world::DoorState& it = state.doors[door];
     it.wants_open = it.wants_open != 0 ? 0 : 1;
+    const world::Surface surface = door_surface(level, door);
     emit(state, {.position = spatial::door_handle(level, state, door),
-                 .loudness_db = it.wants_open != 0 ? kDoorOpenDb : kDoorCloseDb,
+                 .loudness_db = (it.wants_open != 0 ? kDoorOpenDb : kDoorCloseDb) + loudness_by(surface),
                  .kind = it.wants_open != 0 ? world::NoiseKind::DoorOpen : world::NoiseKind::DoorClose,
-                 .surface = static_cast<std::uint8_t>(world::Surface::Oak),
+                 .surface = static_cast<std::uint8_t>(surface),
                  .by_guard = by_guard});
 }
 

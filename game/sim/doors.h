@@ -29,6 +29,9 @@ class DoorBodies {
     std::vector<std::shared_ptr<const rc::Scene>> closed_;  // one a door, in the frame of its hinge
 };
 
+// What most of a leaf is made of, by area: what it sounds like.
+[[nodiscard]] world::Surface door_surface(const world::Level& level, std::size_t door);
+
 // Turns a door the other way, with its sound; `by_guard` as in Noise.
 void toggle_door(const world::Level& level, world::State& state, std::size_t door, std::uint8_t by_guard);
 

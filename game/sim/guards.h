@@ -6,6 +6,8 @@
 //
 //   Calm --6--> Suspicious --14--> Searching --24, in plain view--> Chasing --within reach--> caught
 //
+// Who is hit by a stone searches at once, and first where it came from.
+//
 // Guard g looks on ticks = g mod 4, and hears on every tick.
 //
 // Cost      about 20 rays a look, a path now and then, 3 casts a step.
@@ -34,6 +36,9 @@ inline constexpr float kGuardSearchSpeed = 1.7f;
 inline constexpr float kGuardRunSpeed = 4.2f;     // m/s: the run clip's own
 
 inline constexpr float kGuardHeight = 1.8f;       // metres
+
+// What doors, stones and other guards meet of a guard.
+[[nodiscard]] Body body_of(const world::GuardState& guard);
 
 // The world as it stands, and the ways through it.
 struct GuardWorld {

@@ -80,6 +80,14 @@ void notice_touch(const world::State& state, GuardState& guard) {
     add_suspicion(guard, kSearchingAt - guard.suspicion + 1.0f, kIndirectMost, Cue::Heard);
 }
 
+// A stone that hits says that somebody is there, and from where; not who.
+void notice_blow(GuardState& guard) {
+    if (guard.percept.is_struck == 0) return;
+    constexpr float kWideAwake = 4.0f;  // above what starts a search
+    add_suspicion(guard, std::max(kSearchingAt + kWideAwake - guard.suspicion, 1.0f), kIndirectMost, Cue::Struck);
+    if (guard.alert != Alert::Chasing) guard.last_known = guard.percept.struck_from;
+}
+
 void bark(std::size_t g, Bark what, world::State& state) {
     emit(state, {.position = state.guards[g].position + glm::vec3(0.0f, 1.6f, 0.0f),
                  .loudness_db = what == Bark::Alarm ? kAlarmDb : kBarkDb,
@@ -168,6 +176,7 @@ void judge_guards(const GuardWorld& now, world::State& state) {
         notice_sight(guard);
         notice_noise(guard);
         notice_touch(state, guard);
+        notice_blow(guard);
         rise(g, state);
         fall(g, state);
         if (can_seize(now, state, g)) {

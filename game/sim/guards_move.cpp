@@ -86,7 +86,8 @@ bool waits_for_a_door(const GuardWorld& world, const glm::vec3& direction, std::
             state.doors[d].held_until_tick = state.tick + kHoldTicks;
         }
         if (openness(world.level, state, d) >= kWideEnough) continue;
-        const Body ahead{.feet = guard.position + direction * kReachAhead, .radius = kGuardRadius, .height = kGuardHeight};
+        Body ahead = body_of(guard);
+        ahead.feet += direction * kReachAhead;
         if (!world.doors.overlaps(world.level, state, d, ahead)) continue;
         hold_door_open(world.level, state, d, state.tick + kHoldTicks);
         waits = true;
@@ -182,6 +183,10 @@ void move_guard(const GuardWorld& world, std::size_t g, world::State& state) {
 }
 
 }  // namespace
+
+Body body_of(const GuardState& guard) {
+    return {.feet = guard.position, .radius = kGuardRadius, .height = kGuardHeight};
+}
 
 void move_guards(const GuardWorld& before, world::State& state) {
     for (std::size_t g = 0; g < before.level.guards.size(); ++g) {

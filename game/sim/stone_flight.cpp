@@ -6,8 +6,8 @@
 
 #include "raycore/query.h"
 
+#include "sim/body_cast.h"
 #include "sim/geometry.h"
-#include "sim/motion.h"
 #include "sim/noises.h"
 #include "sim/planes.h"
 #include "world/layers.h"
@@ -25,6 +25,8 @@ constexpr float kRestSpeed = 0.0626f;    // m/s: sqrt(2 g kStoneSkin), the bounc
 constexpr float kStopSpeed = 0.05f;      // m/s: a stone rolling slower lies still
 constexpr float kHoldingPull = 3.0f;     // m/s2 along the slope that rest resists: 18 degrees
 constexpr float kRollingDrag = 0.16f;    // deceleration of a rolling stone over its weight
+constexpr float kFeltSpeed = 0.5f;       // m/s into a guard: what only rolls against a boot is not felt
+constexpr Surface kCoat = Surface::Carpet;  // what a guard is to a stone: heavy cloth
 
 const glm::vec3 kFall{0.0f, -kGravity, 0.0f};
 
@@ -51,32 +53,48 @@ std::optional<float> time_to_plane(float gap, float speed, float pull) {
     return 2.0f * gap / closing;
 }
 
+// What a stone meets: a triangle of the scene, or a guard's coat.
+struct Contact {
+    rc::CastHit hit;
+    std::uint32_t guard = world::kNoIndex;
+};
+
 // One stone through one tick. A class because the steps share what they change.
 class Flight {
   public:
-    Flight(const world::Level& level, const rc::Scene& scene, world::StoneState& stone)
-        : level_(level), scene_(scene), stone_(stone) {}
+    Flight(const world::Level& level, const rc::Scene& scene, std::span<const Body> guards, world::StoneState& stone)
+        : level_(level), scene_(scene), guards_(guards), stone_(stone) {}
 
     Impact run() {
         for (int i = 0; i < kMaxBounces && left_ > 0.0f; ++i) {
             const glm::vec3 pull = along_planes(contacts(), kFall);
-            const auto hit = cast(reach(pull, left_));
-            if (!hit) {
+            const auto contact = cast(reach(pull, left_));
+            if (!contact) {
                 advance(pull, left_, reach(pull, left_));
                 break;
             }
-            if (hit->depth > 0.0f) leave_overlap(*hit);
-            fly_to(*hit, pull);
+            if (contact->hit.depth > 0.0f) leave_overlap(contact->hit);
+            fly_to(*contact, pull);
         }
         rest_when_slow();
+        hardest_.guard = guard_;
         return hardest_;
     }
 
   private:
     [[nodiscard]] std::span<const glm::vec3> contacts() const { return std::span(contacts_).first(contact_count_); }
 
-    [[nodiscard]] std::optional<rc::CastHit> cast(const glm::vec3& displacement) const {
-        return rc::sphere_cast(scene_, stone_.position, level_.stone_radius, displacement, world::Solid);
+    [[nodiscard]] std::optional<Contact> cast(const glm::vec3& displacement) const {
+        std::optional<Contact> first;
+        const auto hit = rc::sphere_cast(scene_, stone_.position, level_.stone_radius, displacement, world::Solid);
+        if (hit) first = Contact{.hit = *hit};
+        for (std::size_t g = 0; g < guards_.size(); ++g) {
+            const auto met = cast_at_body(guards_[g], stone_.position, level_.stone_radius, displacement);
+            if (!met || (first && first->hit.t <= met->t)) continue;
+            first = Contact{.hit = {.t = met->t, .point = met->point, .normal = met->normal},
+                            .guard = static_cast<std::uint32_t>(g)};
+        }
+        return first;
     }
 
     [[nodiscard]] glm::vec3 reach(const glm::vec3& pull, float seconds) const {
@@ -103,7 +121,8 @@ class Flight {
     }
 
     // Flies until the parabola meets the surface that the straight cast has found, and bounces there.
-    void fly_to(rc::CastHit hit, const glm::vec3& pull) {
+    void fly_to(Contact contact, const glm::vec3& pull) {
+        const rc::CastHit& hit = contact.hit;
         const float gap = glm::dot(stone_.position - hit.point, hit.normal) - (level_.stone_radius + kStoneSkin);
         const float speed = glm::dot(stone_.velocity, hit.normal);
         const std::optional<float> solved = time_to_plane(gap, speed, glm::dot(pull, hit.normal));
@@ -113,22 +132,25 @@ class Flight {
         // The parabola is not the chord, and an edge is not its plane: what is flown is cast itself.
         const auto nearer = cast(displacement);
         if (nearer) {
-            hit = *nearer;
+            contact = *nearer;
             const float length = length_of(displacement);
             const float share = length > 0.0f ? std::max(hit.t - kStoneSkin / length, 0.0f) : 0.0f;
             displacement *= share;
             seconds *= share;
         }
         advance(pull, seconds, displacement);
-        bounce(hit);
+        bounce(contact);
     }
 
-    void bounce(const rc::CastHit& hit) {
-        const Surface surface = surface_at(level_, hit.instance, hit.primitive);
+    void bounce(const Contact& contact) {
+        const rc::CastHit& hit = contact.hit;
+        const bool is_guard = contact.guard != world::kNoIndex;
+        const Surface surface = is_guard ? kCoat : surface_at(level_, hit.instance, hit.primitive);
         const float speed_in = -glm::dot(stone_.velocity, hit.normal);
         if (speed_in < 0.0f) return;  // on its way out already
+        if (is_guard && speed_in >= kFeltSpeed) guard_ = contact.guard;
         if (!hardest_.is_there || speed_in > hardest_.speed) {
-            hardest_ = {true, stone_.position, speed_in, surface};
+            hardest_ = {true, stone_.position, speed_in, surface, world::kNoIndex};
         }
         const float bounciness = restitution(surface);
         glm::vec3 sliding = stone_.velocity + hit.normal * speed_in;
@@ -154,11 +176,13 @@ class Flight {
 
     const world::Level& level_;
     const rc::Scene& scene_;
+    std::span<const Body> guards_;
     world::StoneState& stone_;
     float left_ = world::kTickSeconds;
     std::array<glm::vec3, kMaxContacts> contacts_;
     std::size_t contact_count_ = 0;
     Impact hardest_;
+    std::uint32_t guard_ = world::kNoIndex;
 };
 
 // Whether what a stone lay on is still there, and has not moved into it.
@@ -172,12 +196,12 @@ bool still_lies(const world::Level& level, const rc::Scene& scene, const world::
 
 float restitution(Surface surface) { return kRestitution[index_of(surface)]; }
 
-Impact fly(const world::Level& level, const rc::Scene& scene, world::StoneState& stone) {
+Impact fly(const world::Level& level, const rc::Scene& scene, world::StoneState& stone, std::span<const Body> guards) {
     if (stone.is_resting != 0) {
         if (still_lies(level, scene, stone)) return {};
         stone.is_resting = 0;
     }
-    return Flight(level, scene, stone).run();
+    return Flight(level, scene, guards, stone).run();
 }
 
 }  // namespace gh::sim

@@ -7,12 +7,15 @@
 // Cost      1-2 sphere casts in free flight, about 3 a bounce, 1 at rest.
 // Threads   pure. Same bits: a function of (Level, Scene, StoneState).
 // Never     through a surface, at any speed: each change of place is a cast that met nothing. Energy never grows.
+//           Guards are met as they stand now; one who walks into a stone that lies still walks over it.
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include <glm/vec3.hpp>
 
+#include "sim/motion.h"
 #include "world/level.h"
 #include "world/state.h"
 #include "world/surface.h"
@@ -29,12 +32,14 @@ struct Impact {
     glm::vec3 position{0.0f};  // of the stone
     float speed = 0.0f;        // m/s into the surface
     world::Surface surface = world::Surface::Marble;
+    std::uint32_t guard = world::kNoIndex;  // who felt it on the way, if anybody
 };
 
 // Share of the speed into a surface that comes back.
 [[nodiscard]] float restitution(world::Surface surface);
 
-// Carries a stone that is present through one tick; the hardest impact on the way.
-Impact fly(const world::Level& level, const rc::Scene& scene, world::StoneState& stone);
+// Carries a stone that is present through one tick; the hardest impact on the way. `guards` in their own order.
+Impact fly(const world::Level& level, const rc::Scene& scene, world::StoneState& stone,
+           std::span<const Body> guards = {});
 
 }  // namespace gh::sim

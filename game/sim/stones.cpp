@@ -1,9 +1,12 @@
 #include "sim/stones.h"
 
 #include <algorithm>
+#include <array>
 
 #include "raycore/query.h"
 
+#include "sim/geometry.h"
+#include "sim/guards.h"
 #include "sim/noises.h"
 #include "sim/stone_flight.h"
 #include "world/eye.h"
@@ -16,6 +19,7 @@ namespace {
 constexpr std::uint16_t kFullAimTicks = 60;
 constexpr float kThrowDb = 26.0f;   // the sleeve
 constexpr float kHandReach = 0.3f;  // metres from the eye to where a stone leaves the hand
+constexpr float kTracedBack = 5.0f;  // metres along its flight that who is hit takes a stone to come from
 
 float throw_speed(std::uint16_t aim_ticks) {
     const float share = static_cast<float>(std::min(aim_ticks, kFullAimTicks)) / static_cast<float>(kFullAimTicks);
@@ -47,6 +51,24 @@ void throw_stone(const world::Level& level, const world::Snapshot& before, world
     emit_by_player(state, {.position = slot->position, .loudness_db = kThrowDb, .kind = world::NoiseKind::Throw});
 }
 
+// The guards as stones meet them.
+class GuardBodies {
+  public:
+    GuardBodies(const world::Level& level, const world::State& state) : count_(level.guards.size()) {
+        for (std::size_t g = 0; g < count_; ++g) bodies_[g] = body_of(state.guards[g]);
+    }
+    [[nodiscard]] std::span<const Body> all() const { return std::span(bodies_).first(count_); }
+
+  private:
+    std::array<Body, world::kMaxGuards> bodies_;
+    std::size_t count_;
+};
+
+void strike(world::GuardState& guard, const glm::vec3& flight) {
+    guard.percept.is_struck = 1;
+    guard.percept.struck_from = guard.position - unit_or_zero(flat(flight)) * kTracedBack;
+}
+
 }  // namespace
 
 void decide_throw(const world::Level& level, const world::Snapshot& before, const input::Command& command,
@@ -67,9 +89,13 @@ void decide_throw(const world::Level& level, const world::Snapshot& before, cons
 }
 
 void move_stones(const world::Level& level, const world::Snapshot& before, world::State& state) {
+    for (world::GuardState& guard : state.guards) guard.percept.is_struck = 0;
+    const GuardBodies guards(level, state);
     for (world::StoneState& stone : state.stones) {
         if (stone.is_present == 0) continue;
-        const Impact impact = fly(level, *before.scene, stone);
+        const glm::vec3 flight = stone.velocity;
+        const Impact impact = fly(level, *before.scene, stone, guards.all());
+        if (impact.guard != world::kNoIndex) strike(state.guards[impact.guard], flight);
         const float loudness = stone_hit_db(impact.surface, impact.speed);
         if (!impact.is_there || loudness <= 0.0f) continue;
         emit(state, {.position = impact.position,
@@ -83,10 +109,11 @@ std::size_t throw_arc(const world::Level& level, const world::Snapshot& snapshot
     const world::PlayerState& player = snapshot.state.player;
     if (player.aim_ticks == 0 || out.empty()) return 0;
     world::StoneState stone = stone_in_hand(level, snapshot, player);
+    const GuardBodies guards(level, snapshot.state);
     std::size_t count = 0;
     out[count++] = stone.position;
     while (count < out.size()) {
-        const Impact impact = fly(level, *snapshot.scene, stone);
+        const Impact impact = fly(level, *snapshot.scene, stone, guards.all());
         out[count++] = impact.is_there ? impact.position : stone.position;
         if (impact.is_there) break;
     }

@@ -6,6 +6,6 @@
 
 namespace gh::sim {
 
-inline constexpr std::uint32_t kSimulationVersion = 1;
+inline constexpr std::uint32_t kSimulationVersion = 2;
 
 }  // namespace gh::sim

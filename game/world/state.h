@@ -63,22 +63,24 @@ struct StoneState {
 enum class Alert : std::uint8_t { Calm, Suspicious, Searching, Chasing };
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"  // GCC 12 takes scoped enumerators for hiders of layers.h's names
-enum class Cue : std::uint8_t { None, Seen, Mirrored, Heard };  // what raised a suspicion last
+enum class Cue : std::uint8_t { None, Seen, Mirrored, Heard, Struck };  // what raised a suspicion last
 #pragma GCC diagnostic pop
 
 // What a guard knew at the end of the last tick: written by perceive, read by decide.
 struct Percept {
-    glm::vec3 seen_at{0.0f};    // where the player seemed to be (through a mirror: the true place)
-    glm::vec3 heard_at{0.0f};   // where the loudest noise seemed to come from
+    glm::vec3 seen_at{0.0f};      // where the player seemed to be (through a mirror: the true place)
+    glm::vec3 heard_at{0.0f};     // where the loudest noise seemed to come from
+    glm::vec3 struck_from{0.0f};  // where the last stone that hit seemed to come from
     float sight = 0.0f;         // lit share of the player's body in plain view, 0..1
     float mirror_sight = 0.0f;  // the same in mirrors
     float sight_metres = 0.0f;  // to the nearest point seen, along the light
     float mirror_metres = 0.0f;
     float heard_db = -120.0f;   // of the loudest noise at the ear, after walls
     std::uint8_t is_fresh = 0;  // whether the guard looked in this tick: it does on every fourth
-    std::uint8_t pad_[3] = {};
+    std::uint8_t is_struck = 0;  // whether a stone hit in this tick
+    std::uint8_t pad_[2] = {};
 };
-static_assert(sizeof(Percept) == 48);
+static_assert(sizeof(Percept) == 60);
 
 inline constexpr std::size_t kMaxPathCorners = 32;
 
@@ -110,7 +112,7 @@ struct GuardState {
     ClipId clip = ClipId::Stand;
     ClipId clip_before = ClipId::Stand;
 };
-static_assert(sizeof(GuardState) == 532);
+static_assert(sizeof(GuardState) == 544);
 
 enum class NoiseKind : std::uint8_t {
     Footstep, Land, StoneHit, DoorOpen, DoorClose, Switch, MirrorTurn, LensTaken, Bark, GuardStep, Throw,

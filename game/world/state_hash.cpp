@@ -58,12 +58,14 @@ void add(Hasher& hasher, const StoneState& stone) {
 void add(Hasher& hasher, const Percept& percept) {
     hasher.add(percept.seen_at);
     hasher.add(percept.heard_at);
+    hasher.add(percept.struck_from);
     hasher.add(percept.sight);
     hasher.add(percept.mirror_sight);
     hasher.add(percept.sight_metres);
     hasher.add(percept.mirror_metres);
     hasher.add(percept.heard_db);
     hasher.add(percept.is_fresh);
+    hasher.add(percept.is_struck);
 }
 
 void add(Hasher& hasher, const GuardState& guard) {

@@ -74,6 +74,37 @@ TEST(Doors, NobodyIsEverInsideADoorHoweverItIsSlammed) {
     }
 }
 
+// Oak, iron and a lid of glass: what most of a leaf is made of is what it sounds like, and how loudly.
+TEST(Doors, SoundAsWhatTheyAreMadeOf) {
+    const auto noise_of = [](world::Surface surface) {
+        LevelKit kit;
+        kit.surface(surface);
+        kit.room({-5, 0, -5}, {5, 3, 5}).door({-0.5f, 0.01f, 1.0f}, 1.0f, 2.0f, -1.6f).spawn({0, 0, 0}, kSouth);
+        Simulation simulation(kit.finish(), 1);
+        simulation.step(command(kSouth));
+        simulation.step(command(kSouth, 0, 0, Button::Use));
+        for (std::uint32_t n = 0; n < simulation.state().noise_count; ++n) {
+            const world::Noise& noise = simulation.state().noises[n];
+            if (noise.kind != world::NoiseKind::DoorOpen) continue;
+            EXPECT_EQ(noise.surface, static_cast<std::uint8_t>(surface));
+            return noise.loudness_db;
+        }
+        ADD_FAILURE() << "no door sounded";
+        return 0.0f;
+    };
+    const float oak = noise_of(world::Surface::Oak);
+    EXPECT_GT(noise_of(world::Surface::Metal), oak);
+    EXPECT_LT(noise_of(world::Surface::Glass), oak);
+
+    // A thin rim of brass about a pane does not make it a metal door.
+    LevelKit kit;
+    kit.surface(world::Surface::Glass).room({-5, 0, -5}, {5, 3, 5}).door({-0.5f, 0.01f, 1.0f}, 1.0f, 2.0f);
+    kit.surface(world::Surface::Metal).door({-0.5f, 0.01f, 1.0f}, 0.05f, 2.0f);
+    kit.level.parts.back().mover_index = 0;
+    kit.level.doors.pop_back();
+    EXPECT_EQ(door_surface(*kit.finish(), 0), world::Surface::Glass);
+}
+
 TEST(Doors, TheHudSaysWhatUseWouldDo) {
     Simulation simulation(two_rooms(-1.6f).finish(), 1);
     simulation.step(command(kSouth));

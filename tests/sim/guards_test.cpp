@@ -1,13 +1,16 @@
 #include "sim/guards.h"
 
+#include <array>
 #include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include "sim/level_kit.h"
+#include "sim/player.h"
 #include "sim/rules.h"
 #include "sim/sim_kit.h"
+#include "sim/stones.h"
 
 namespace gh::sim {
 namespace {
@@ -160,6 +163,42 @@ TEST(Guards, AStoneDrawsThemToWhereItFellAndTheyGiveUpInTheEnd) {
     EXPECT_NE(guard_of(simulation).alert, Alert::Chasing) << "a noise alone starts no chase";
     EXPECT_TRUE(wait_for_bark(simulation, command(0), world::Bark::GaveUp, 3600));
     EXPECT_EQ(guard_of(simulation).alert, Alert::Calm);
+}
+
+// In the dark, from behind: who is hit searches at once, turns to where the stone came from, and says why.
+TEST(Guards, AStoneThatHitsOneBouncesOffAndIsNoticedAtOnce) {
+    LevelKit kit = bright_room(0, 0);  // looks away from the player, 8 m off
+    kit.level.lamps[0].starts_on = false;
+    Simulation simulation(kit.finish(true), 1);
+    test::run(simulation, command(0, 0.12f, 0, Button::Throw), 60);
+    ASSERT_EQ(guard_of(simulation).alert, Alert::Calm);
+    const float start = guard_of(simulation).position.z;
+    float furthest = 9.0f;
+    int struck_at = -1;
+    for (int i = 0; i < 90; ++i) {
+        simulation.step(command(0, 0.12f));
+        furthest = std::min(furthest, simulation.state().stones[0].position.z);
+        if (struck_at >= 0 || guard_of(simulation).percept.is_struck == 0) continue;
+        struck_at = i;
+        EXPECT_EQ(guard_of(simulation).alert, Alert::Searching) << "in the very tick";
+        EXPECT_EQ(guard_of(simulation).raised_by, world::Cue::Struck);
+        EXPECT_TRUE(has_barked(simulation, world::Bark::WhoIsThere));
+        EXPECT_GT(guard_of(simulation).last_known.z, start + 3.0f) << "it came from the player's side";
+    }
+    ASSERT_GE(struck_at, 0) << "the throw was well aimed";
+    EXPECT_GT(furthest, 0.3f) << "the stone did not pass through him";
+    EXPECT_NE(guard_of(simulation).alert, Alert::Chasing) << "a blow says where from, not who";
+}
+
+// The arc shown is the arc flown, also when somebody stands in it.
+TEST(Guards, TheAimedArcEndsAtTheGuardItWouldHit) {
+    LevelKit kit = bright_room(0, 0);
+    Simulation simulation(kit.finish(true), 1);
+    test::run(simulation, command(0, 0.12f, 0, Button::Throw), 60);
+    std::array<glm::vec3, kMaxArcPoints> arc{};
+    const std::size_t count = throw_arc(simulation.level(), *simulation.snapshot(), arc);
+    ASSERT_GT(count, 2u);
+    EXPECT_NEAR(arc[count - 1].z, guard_of(simulation).position.z + kGuardRadius, 0.08f);
 }
 
 TEST(Guards, SneakingPassesWhereRunningIsHeard) {
