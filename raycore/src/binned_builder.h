@@ -1,36 +1,39 @@
 // binned_builder.h - a binary tree over boxes by the binned surface-area heuristic (Wald 2007).
 //
-// Cost      O(n log n); subtrees run in parallel in the caller's task arena.
+// Cost      O(n log n); ranges above a few thousand refs are cut in parallel, in the caller's task arena. Works in
+//           place: besides the refs there are only the nodes, packed as they are made.
 // Same bits one tree per input, whatever the thread count: bins hold minima, maxima and counts, which do not care
-//           about order; a range is partitioned by one thread; a subtree's nodes have a place reserved beforehand.
+//           about order; a range is partitioned in blocks of fixed size. Only where a node lies among the others
+//           differs; nobody may look at that.
 // Depth     at most kernel::kMaxDepth: a split by cost is taken only while the larger half could still be halved
 //           by count within the depth that is left; otherwise the range is halved by count.
 #pragma once
 
+#include "kernels/build_abi.h"
+
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
 
 namespace rc {
 
-// A box to be sorted into the tree.
-struct alignas(32) BuildRef {
-    float min[3];
-    std::uint32_t item;
-    float max[3];
-    std::uint32_t unused;
-};
-static_assert(sizeof(BuildRef) == 32);
-
 struct alignas(32) BinaryNode {
     float min[3];
-    std::uint32_t first;  // leaf: first of its refs; inner: index of the right child, the left one being next
+    std::uint32_t first;  // leaf: first of its refs; inner: index of the left child, the right one being next
     float max[3];
-    std::uint32_t count;  // refs of a leaf; 0 for an inner node
+    std::uint32_t count;  // refs of a leaf; kInner and the refs below for an inner node
 
-    [[nodiscard]] bool is_leaf() const { return count != 0; }
+    static constexpr std::uint32_t kInner = 0x80000000u;
+    [[nodiscard]] bool is_leaf() const { return (count & kInner) == 0; }
+    [[nodiscard]] std::uint32_t refs_below() const { return count & ~kInner; }
 };
 static_assert(sizeof(BinaryNode) == 32);
+
+struct BinaryTree {
+    std::unique_ptr<BinaryNode[]> nodes;  // the root first
+    std::size_t size = 0;
+};
 
 struct SplitCosts {
     std::uint32_t max_leaf = 8;
@@ -46,8 +49,7 @@ template <class Bounded>
     return (x * y + y * z) + z * x;
 }
 
-// Reorders `refs` so that every leaf is a range of them. Node 0 is the root; refs must not be empty.
-[[nodiscard]] std::unique_ptr<BinaryNode[]> build_binary_tree(std::span<BuildRef> refs,
-                                                              const SplitCosts& costs);
+// Reorders `refs` so that every leaf is a range of them. refs must not be empty.
+[[nodiscard]] BinaryTree build_binary_tree(std::span<BuildRef> refs, const SplitCosts& costs);
 
 }  // namespace rc

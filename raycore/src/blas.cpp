@@ -36,10 +36,9 @@ std::vector<BuildRef> collect_refs(const MeshView& mesh, MeshReport& report) {
         }
         const glm::vec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];
         BuildRef& ref = refs.emplace_back();
-        for (std::size_t k = 0; k < 3;
-             ++k) {  // adding +0 leaves one zero, whatever order minima are taken in
-            ref.min[k] = std::min(a[k], std::min(b[k], c[k])) + 0.0f;
-            ref.max[k] = std::max(a[k], std::max(b[k], c[k])) + 0.0f;
+        for (std::size_t k = 0; k < 3; ++k) {
+            ref.neg_min[k] = -std::min(a[k], std::min(b[k], c[k]));
+            ref.max[k] = std::max(a[k], std::max(b[k], c[k]));
         }
         ref.item = static_cast<std::uint32_t>(i);
     }
@@ -104,7 +103,7 @@ std::shared_ptr<Blas> build_blas(const MeshView& mesh, const BuildOptions&) {
     data->leaf_of_primitive.assign(view.triangles.size(), kNone);
     if (!refs.empty()) {
         const auto binary = build_binary_tree(refs, SplitCosts{});
-        WideTree tree = collapse_blas(binary.get());
+        WideTree tree = collapse_blas(binary.nodes.get());
         data->nodes = std::move(tree.nodes);
         data->root = tree.root;
         data->leaves.resize(refs.size() * kernel::kWordsPerTriangle + kernel::kLeafPadding);

@@ -11,7 +11,7 @@ namespace {
 // Follows a path down the binary tree whose first leaf stands in for lanes that are empty.
 std::uint32_t first_leaf(const BinaryNode* binary) {
     std::uint32_t at = 0;
-    while (!binary[at].is_leaf()) ++at;
+    while (!binary[at].is_leaf()) at = binary[at].first;
     return at;
 }
 
@@ -64,8 +64,8 @@ class Collapse {
     // Opens the largest child again and again until eight stand side by side.
     int gather(std::uint32_t at, std::uint32_t lanes[kernel::kWidth]) const {
         int n = 2;
-        lanes[0] = at + 1;
-        lanes[1] = binary_[at].first;
+        lanes[0] = binary_[at].first;
+        lanes[1] = lanes[0] + 1;
         while (n < kernel::kWidth) {
             int largest = -1;
             for (int i = 0; i < n; ++i) {
@@ -74,9 +74,8 @@ class Collapse {
                     largest = i;
             }
             if (largest < 0) break;
-            const std::uint32_t opened = lanes[largest];
-            lanes[largest] = opened + 1;
-            lanes[n++] = binary_[opened].first;
+            lanes[largest] = binary_[lanes[largest]].first;
+            lanes[n++] = lanes[largest] + 1;
         }
         return n;
     }

@@ -75,4 +75,8 @@ const kernel::Kernels& active_kernels() {
     return *kernels_of(active_isa()).kernels;
 }
 
+const kernel::BuildKernels& active_build_kernels() {
+    return active_isa() == Isa::Scalar ? kernel::kScalarBuildKernels : kernel::kAvx2BuildKernels;
+}
+
 }  // namespace rc

@@ -22,8 +22,8 @@ constexpr float kInf = std::numeric_limits<float>::infinity();
 BuildRef ref_of(const Box& box, std::uint32_t id) {
     BuildRef ref{};
     for (std::size_t a = 0; a < 3; ++a) {
-        ref.min[a] = box.min[a] + 0.0f;
-        ref.max[a] = box.max[a] + 0.0f;
+        ref.neg_min[a] = -box.min[a];
+        ref.max[a] = box.max[a];
     }
     ref.item = id;
     return ref;
@@ -99,15 +99,15 @@ std::shared_ptr<const Scene> SceneBuilder::commit() const {
 
     std::vector<BuildRef> refs = place_instances(*scene);
     if (!refs.empty()) {
-        const auto binary = build_binary_tree(refs, SplitCosts{.max_leaf = 1});
+        const BinaryTree binary = build_binary_tree(refs, SplitCosts{.max_leaf = 1});
         std::vector<std::uint32_t> layers(instances_.size());
         for (std::size_t i = 0; i < layers.size(); ++i) layers[i] = instances_[i].layers;
-        WideTree tree = collapse_tlas(binary.get(), refs.data(), layers);
+        WideTree tree = collapse_tlas(binary.nodes.get(), refs.data(), layers);
         scene->nodes = std::move(tree.nodes);
         scene->view.root = tree.root;
         for (std::size_t a = 0; a < 3; ++a) {
-            scene->view.min[a] = scene->bounds.min[a] = binary[0].min[a];
-            scene->view.max[a] = scene->bounds.max[a] = binary[0].max[a];
+            scene->view.min[a] = scene->bounds.min[a] = binary.nodes[0].min[a];
+            scene->view.max[a] = scene->bounds.max[a] = binary.nodes[0].max[a];
         }
     }
     scene->view.nodes = scene->nodes.data();

@@ -1,0 +1,73 @@
+// kernels/build_abi.h - what the builders' inner loops share with the builders: plain layouts and one table.
+//
+// Same bits the loops compare, add and multiply in single precision, never fused: every ISA finds the same split.
+#pragma once
+
+#include <cstdint>
+
+namespace rc {
+
+// A box as -min and max: both grow by taking the larger, eight floats at a time. The fourth of each four means nothing.
+struct alignas(32) GrowingBox {
+    float neg_min[4];
+    float max[4];
+};
+
+// A box to be sorted into a tree.
+struct alignas(32) BuildRef {
+    float neg_min[3];
+    std::uint32_t item;
+    float max[3];
+    std::uint32_t unused;
+};
+static_assert(sizeof(BuildRef) == sizeof(GrowingBox));
+
+namespace kernel {
+
+inline constexpr int kMaxBins = 16;
+inline constexpr int kFewRefs = 4;
+
+// Which bin a doubled centre falls into, per axis: (centre - origin) * scale, clamped to 0 ... count - 1.
+struct BinGrid {
+    float origin[4];
+    float scale[4];  // 0 where there is nothing to tell apart
+    std::int32_t count;
+};
+
+struct Bins {
+    GrowingBox boxes[kMaxBins][3];
+    std::uint32_t counts[kMaxBins][4];
+    std::int32_t used;
+};
+
+struct Split {
+    std::int32_t axis;  // -1 when all refs lie in one bin
+    std::int32_t bin;   // this bin and those above go right
+    float cost;         // half areas times counts
+    GrowingBox left, right;
+};
+
+// Boxes and costs of all subsets of up to kFewRefs refs; bit i of an index is ref i.
+struct Subsets {
+    GrowingBox boxes[1 << kFewRefs];
+    float costs[1 << kFewRefs];
+};
+
+struct BuildKernels {
+    void (*clear)(Bins& bins, std::int32_t used);
+    void (*bin)(const BuildRef* refs, std::uint64_t n, const BinGrid& grid, Bins& bins);
+    // The cheapest border between bins with something on both sides.
+    void (*best_split)(const Bins& bins, Split& split);
+    // Brings what goes left to the front; how many.
+    std::uint64_t (*partition)(BuildRef* refs, std::uint64_t n, const BinGrid& grid, std::int32_t axis,
+                               std::int32_t bin);
+    // Grows `boxes` by the refs and `centres` by their doubled centres.
+    void (*measure)(const BuildRef* refs, std::uint64_t n, GrowingBox& boxes, GrowingBox& centres);
+    void (*measure_subsets)(const BuildRef* refs, std::uint32_t n, Subsets& subsets);
+};
+
+extern const BuildKernels kScalarBuildKernels;
+extern const BuildKernels kAvx2BuildKernels;
+
+}  // namespace kernel
+}  // namespace rc

@@ -1,0 +1,13 @@
+// kernels/build_scalar.cpp - the builders' inner loops for any processor.
+// clang-format off: each file stands on the one before it.
+#include "kernels/build_abi.h"
+#define RC_ISA isa_build_scalar
+#include "kernels/build.inl"
+// clang-format on
+
+namespace rc::kernel {
+
+const BuildKernels kScalarBuildKernels{RC_ISA::clear,     RC_ISA::bin,     RC_ISA::best_split,
+                                       RC_ISA::partition, RC_ISA::measure, RC_ISA::measure_subsets};
+
+}  // namespace rc::kernel
