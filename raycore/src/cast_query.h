@@ -4,7 +4,7 @@
 
 #include "cast_math.h"
 
-#include "raycore/query.h"
+#include "raycore/bodies.h"
 
 #include <glm/vec3.hpp>
 

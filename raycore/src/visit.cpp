@@ -17,6 +17,18 @@ std::uint32_t overlapping_children(const kernel::WideNode& node, const Box& box)
     return met;
 }
 
+void square_distances(const kernel::WideNode& node, const glm::dvec3& point, double (&out)[kernel::kWidth]) {
+    for (int i = 0; i < kernel::kWidth; ++i) {
+        out[i] = 0;
+        for (std::size_t a = 0; a < 3; ++a) {
+            const double below = double(node.bounds[2 * a][i]) - point[a];
+            const double above = point[a] - double(node.bounds[2 * a + 1][i]);
+            const double off = std::max({below, above, 0.0});
+            out[i] += off * off;
+        }
+    }
+}
+
 Box local_box(const kernel::InstanceView& instance, const glm::mat4x3& world_from_instance,
               const Box& world_box) {
     // The pad covers world_corner's own rounding, seen from the instance's frame: three roundings of every term.

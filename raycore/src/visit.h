@@ -25,6 +25,9 @@ inline bool overlaps(const Box& a, const Box& b) {
 // The lanes of `node` whose boxes overlap `box`.
 std::uint32_t overlapping_children(const kernel::WideNode& node, const Box& box);
 
+// How far, squared, the boxes of `node`'s lanes are from a point.
+void square_distances(const kernel::WideNode& node, const glm::dvec3& point, double (&out)[kernel::kWidth]);
+
 // A box in the instance's frame that holds everything of it that lies in `world_box`, rounding included.
 Box local_box(const kernel::InstanceView& instance, const glm::mat4x3& world_from_instance,
               const Box& world_box);
