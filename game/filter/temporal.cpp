@@ -89,10 +89,10 @@ static void add_sample(const AccumulateRow& row, std::size_t x, const Brought& b
 
 static void accumulate_row(const AccumulateRow& row) {
     const std::size_t padded = (static_cast<std::size_t>(row.width) + 15) / 16 * 16;
-    Brought brought;
+    Brought brought = {};
     for (std::size_t x = 0; x < padded; x += kChunk) {
         const std::size_t count = padded - x < kChunk ? padded - x : kChunk;
-        bring(row, x, count, brought);
+        if (row.then_light != nullptr) bring(row, x, count, brought);
         for (std::size_t i = 0; i < count; i += lane_count()) add_sample(row, x + i, brought, i);
     }
 }
@@ -126,7 +126,6 @@ void accumulate(const Plane3& samples, const Plane& change, const Taps& taps, co
     EXPECTS(taps.first.width() == samples.width() && taps.first.height() == samples.height());
     const int width = samples.width(), height = samples.height();
     out.fit(width, height);
-    const Texel nothing[2] = {};  // weights are all 0 then, and `first` too
     const bool has_past = before.light.width() > 0 && before.light.height() > 0;
     run_rows(height, jobs, [&](int y) {
         AccumulateRow row{};
@@ -134,9 +133,9 @@ void accumulate(const Plane3& samples, const Plane& change, const Taps& taps, co
         row.change = change.empty() ? nullptr : change.row(y);
         row.first = taps.first.row(y);
         for (std::size_t tap = 0; tap < 4; ++tap) row.weight[tap] = taps.weight[tap].row(y);
-        row.then_light = has_past ? before.light.row(0)->value : nothing->value;
-        row.then_pace = has_past ? before.pace.row(0)->value : nothing->value;
-        row.then_stride = has_past ? before.light.stride() : 0;
+        row.then_light = has_past ? before.light.row(0)->value : nullptr;
+        row.then_pace = has_past ? before.pace.row(0)->value : nullptr;
+        row.then_stride = before.light.stride();
         row.width = width;
         row.longest = settings.longest;
         row.fast_longest = settings.fast_longest;

@@ -10,7 +10,7 @@ struct AccumulateRow {
     const float* change;  // may be null
     const std::int32_t* first;
     const float* weight[4];
-    const float* then_light;  // Texels::row(0)
+    const float* then_light;  // Texels::row(0); null: no past
     const float* then_pace;
     int then_stride;
     int width;

@@ -1,0 +1,187 @@
+#include "filter/anti_lag.h"
+
+#include "filter/anti_lag_kernel.h"
+#include "filter/rows.h"
+
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "filter/anti_lag.cpp"
+#include <hwy/foreach_target.h>
+// foreach_target must come before what is compiled once per target.
+#include "filter/simd-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gh::filter::HWY_NAMESPACE {
+
+static void change_row(const ChangeRow& row) {
+    for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) {
+        const Floats now = load(row.now + x), then = load(row.then + x);
+        const Floats most = choose(hn::Gt(now, then), now, then);
+        const Floats share = hn::Div(hn::Abs(hn::Sub(now, then)), most);
+        const Lanes known = hn::And(hn::Gt(most, hn::Zero(F())), is_finite(hn::Add(now, then)));
+        store(zero_unless(hn::And(known, is_finite(share)), choose(hn::Lt(share, splat(1.0f)), share, splat(1.0f))),
+              row.change + x);
+    }
+}
+
+static void column_sum_row(const ColumnSumRow& row) {
+    const std::size_t padded = (static_cast<std::size_t>(row.width) + 15) / 16 * 16;
+    for (std::size_t x = 0; x < padded; x += lane_count()) {
+        Floats sum = hn::Zero(F()), squares = hn::Zero(F());
+        for (const float* from : row.fast) {
+            Floats value = load(from + x);
+            value = zero_unless(is_finite(value), value);
+            sum = hn::Add(sum, value);
+            squares = hn::Add(squares, hn::Mul(value, value));
+        }
+        store(sum, row.sum + x);
+        store(squares, row.squares + x);
+    }
+}
+
+// Over the five columns about each pixel; beyond the picture's sides its last column repeats.
+static HWY_INLINE Floats five_columns(const float* sums, std::size_t x, int width) {
+    const auto first = static_cast<std::ptrdiff_t>(x);
+    const Floats middle = load(sums + x);
+    Floats total = middle;
+    const bool edge = x < 2 || x + lane_count() + 2 > static_cast<std::size_t>(width);
+    for (std::ptrdiff_t dx = -2; dx <= 2; ++dx) {
+        if (dx == 0) continue;
+        Floats value = load(sums + first + dx);
+        if (edge) value = choose(inside(pixel_numbers(first + dx), width), value, middle);
+        total = hn::Add(total, value);
+    }
+    return total;
+}
+
+static void settle_row(const SettleRow& row) {
+    const Floats zero = hn::Zero(F()), one = splat(1.0f);
+    for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) {
+        const Floats mean = hn::Mul(five_columns(row.sum, x, row.width), splat(1.0f / 25.0f));
+        const Floats square = hn::Mul(five_columns(row.squares, x, row.width), splat(1.0f / 25.0f));
+        const Floats spread =
+            hn::Mul(hn::Sqrt(positive(hn::Sub(square, hn::Mul(mean, mean)))), splat(row.sigmas));
+        const Floats old = load(row.luminance + x), length = load(row.length + x);
+        // A mean is no surer than its own samples make it; rounding of the sums is no change.
+        const Floats own = positive(hn::Sub(load(row.square + x), hn::Mul(old, old)));
+        const Floats unsure = hn::Mul(hn::Sqrt(hn::Div(own, length)), splat(row.sigmas));
+        const Floats slack = hn::Add(hn::Add(spread, unsure), hn::Mul(hn::Abs(mean), splat(1e-3f)));
+        const Floats low = hn::Sub(mean, slack), high = hn::Add(mean, slack);
+        const Floats drawn = choose(hn::Lt(old, low), low, choose(hn::Gt(old, high), high, old));
+        const Lanes moved =
+            hn::And(hn::And(hn::Gt(hn::Abs(hn::Sub(drawn, old)), zero), is_finite(drawn)),
+                    hn::And(hn::Gt(length, splat(row.least_length)), hn::Gt(old, zero)));
+        if (hn::AllFalse(F(), moved)) continue;
+
+        // The colour keeps its hue. What of the mean was wrong is forgotten: a mean twice too bright starts anew.
+        const Floats factor = choose(moved, positive(hn::Div(drawn, old)), one);
+        for (float* plane : row.light) store(hn::Mul(load(plane + x), factor), plane + x);
+        store(choose(moved, positive(drawn), old), row.luminance + x);
+        store(hn::Mul(load(row.square + x), hn::Mul(factor, factor)), row.square + x);
+        const Floats kept = choose(hn::Gt(factor, one), hn::Div(one, factor), factor);
+        const Floats left = hn::Mul(length, hn::Mul(kept, kept));
+        const Floats least = splat(row.least_length);
+        store(choose(moved, choose(hn::Gt(left, least), left, least), length), row.length + x);
+    }
+}
+
+}  // namespace gh::filter::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gh::filter {
+
+HWY_EXPORT(change_row);
+HWY_EXPORT(column_sum_row);
+HWY_EXPORT(settle_row);
+
+void lamp_change(const Plane& now, const Plane& then, const Jobs& jobs, Plane& change) {
+    EXPECTS(now.width() == then.width() && now.height() == then.height());
+    change.fit(now.width(), now.height());
+    run_rows(now.height(), jobs, [&](int y) {
+        const ChangeRow row{.now = now.row(y), .then = then.row(y), .width = now.width(), .change = change.row(y)};
+        HWY_DYNAMIC_DISPATCH(change_row)(row);
+    });
+}
+
+namespace {
+
+// What is known about a block's light: by how much it changed, and how much there was at most.
+struct Difference {
+    float changed = 0.0f, most = 0.0f;
+};
+
+Difference difference_at(const Reshaded& samples, int x, int y) {
+    const float then = samples.then.at(x, y), now = samples.now.at(x, y);
+    const float most = std::max(then, now);
+    if (!(most > 0.0f) || !std::isfinite(then) || !std::isfinite(now)) return {};
+    return {now - then, most};
+}
+
+// Blocks about (x, y) that are told apart by nothing but their distance: gradients are few and noisy, and to forget too
+// much beside an edge costs a little noise, to forget too little costs a ghost.
+float smoothed_change(const Reshaded& samples, int x, int y) {
+    float changed = 0.0f, most = 0.0f;
+    for (int j = std::max(0, y - 2); j <= std::min(samples.then.height() - 1, y + 2); ++j) {
+        for (int i = std::max(0, x - 2); i <= std::min(samples.then.width() - 1, x + 2); ++i) {
+            const float weight = static_cast<float>((3 - std::abs(i - x)) * (3 - std::abs(j - y)));
+            const Difference d = difference_at(samples, i, j);
+            changed += weight * std::abs(d.changed);
+            most += weight * d.most;
+        }
+    }
+    return most > 0.0f ? std::min(1.0f, changed / most) : 0.0f;
+}
+
+}  // namespace
+
+void gradients(const Reshaded& samples, int width, int height, const Jobs& jobs, Plane& change) {
+    EXPECTS(samples.side >= 1);
+    EXPECTS(samples.then.width() == samples.now.width() && samples.then.height() == samples.now.height());
+    EXPECTS(samples.then.width() * samples.side >= width && samples.then.height() * samples.side >= height);
+    change.fit(width, height);
+    const int rows_of_blocks = (height + samples.side - 1) / samples.side;
+    jobs.run(static_cast<std::size_t>(rows_of_blocks), [&](std::size_t block, int) {
+        const int j = static_cast<int>(block);
+        for (int i = 0; i * samples.side < width; ++i) {
+            const float share = smoothed_change(samples, i, j);
+            for (int y = j * samples.side; y < std::min(height, (j + 1) * samples.side); ++y) {
+                float* row = change.row(y);
+                for (int x = i * samples.side; x < std::min(width, (i + 1) * samples.side); ++x) row[x] = share;
+            }
+        }
+    });
+}
+
+void settle(const SettleSettings& settings, const Jobs& jobs, Accumulated& signal, Plane scratch[2]) {
+    EXPECTS(settings.sigmas > 0.0f);
+    const int width = signal.luminance.width(), height = signal.luminance.height();
+    scratch[0].fit(width, height);
+    scratch[1].fit(width, height);
+    run_rows(height, jobs, [&](int y) {
+        ColumnSumRow row{};
+        for (int dy = -2; dy <= 2; ++dy) row.fast[dy + 2] = signal.fast.row(std::clamp(y + dy, 0, height - 1));
+        row.width = width;
+        row.sum = scratch[0].row(y);
+        row.squares = scratch[1].row(y);
+        HWY_DYNAMIC_DISPATCH(column_sum_row)(row);
+    });
+    run_rows(height, jobs, [&](int y) {
+        SettleRow row{};
+        row.sum = scratch[0].row(y);
+        row.squares = scratch[1].row(y);
+        row.width = width;
+        row.least_length = 2.0f;
+        row.sigmas = settings.sigmas;
+        point_to(row.light, signal.light, y);
+        row.luminance = signal.luminance.row(y);
+        row.square = signal.square.row(y);
+        row.length = signal.length.row(y);
+        row.fast = signal.fast.row(y);
+        HWY_DYNAMIC_DISPATCH(settle_row)(row);
+    });
+}
+
+}  // namespace gh::filter
+#endif

@@ -1,0 +1,49 @@
+// filter/anti_lag.h - forgetting light that has changed, so that a lamp switched off is dark at once.
+//
+// Two ways, for two kinds of change:
+//
+// Known change. The renderer knows what the lamps gave last frame, or has shaded some of last frame's samples again.
+// Then the share of light that changed is |now - then| / max(now, then) (Schied et al. 2018, "Gradient estimation for
+// real-time adaptive temporal filtering", equations 4-6), and accumulate() forgets that share of the past.
+//   lamp_change()  both values known at every pixel: a lamp group's light if nothing stood before it, now and then.
+//   gradients()    re-shaded samples at some pixels only: their differences and their maxima are smoothed apart over
+//                  their neighbours before they are divided, so that noise in them cancels.
+//
+// Unknown change: what a moving guard shades, what comes over two corners. settle() compares the long mean with the
+// neighbourhood of a fast one of two or three frames; a mean that lies outside what the last frames and its own noise can
+// explain is drawn to the nearest value that they can, and its count falls in the same measure. (The history clamping of
+// Karis 2014, about a fast mean instead of one frame and wider by the mean's standard error, so that noise and lone
+// bright samples do not trip it.)
+//
+// Cost      lamp_change 2, gradients about 60 (of few pixels), settle 8 cycles a pixel.
+// Same bits for any number of threads and any instruction set.
+// Bad input what is not finite has not changed.
+#pragma once
+
+#include "base/jobs.h"
+#include "filter/plane.h"
+#include "filter/temporal.h"
+
+namespace gh::filter {
+
+// change = |now - then| / max(now, then), in [0, 1]; 0 where both are 0. Of one size; `change` is made to fit.
+void lamp_change(const Plane& now, const Plane& then, const Jobs& jobs, Plane& change);
+
+// One re-shaded sample for each block of `side` x `side` pixels, in planes of one number a block: luminance it had and
+// luminance it has, same surface point, same random numbers. Both 0: none in this block.
+struct Reshaded {
+    Plane then, now;
+    int side = 3;
+};
+
+// `change` gets the picture's size; `width` and `height` lie within the blocks.
+void gradients(const Reshaded& samples, int width, int height, const Jobs& jobs, Plane& change);
+
+struct SettleSettings {
+    float sigmas = 2.0f;  // of the fast mean in 5x5 pixels, and of the long mean, by which they may be apart
+};
+
+// Puts `signal` right in place. `scratch` is any two planes to be used meanwhile.
+void settle(const SettleSettings& settings, const Jobs& jobs, Accumulated& signal, Plane scratch[2]);
+
+}  // namespace gh::filter

@@ -1,0 +1,71 @@
+// filter/denoiser.h - all stages in their order: one frame's noisy light in, the frame to be shown out.
+//
+//   filter::Denoiser denoiser;                                  // once; forget() after a cut
+//   denoiser.denoise(surfaces, light, {}, jobs, radiance);      // every frame, in order
+//
+// mend -> demodulate -> reproject -> accumulate -> settle -> variance -> a-trous -> remodulate. Direct and indirect light
+// share reprojection and geometry and are filtered apart; specular light has its own reprojection, by the virtual image,
+// and is blurred the less the smoother the surface. What is empty costs nothing.
+//
+// Cost      see game/README.md; 640x360 with all three lights about 9 core-ms with AVX-512. Memory: about 500 bytes a
+//           pixel.
+// Threads   rows over all threads; a Denoiser belongs to one caller at a time.
+// Same bits the result depends on the frames fed since forget() only: not on threads, not on the instruction set.
+// Bad input NaN light is mended, NaN geometry makes a pixel keep its own light; neither spreads, in space or in time.
+#pragma once
+
+#include "base/jobs.h"
+#include "filter/anti_lag.h"
+#include "filter/atrous.h"
+#include "filter/gbuffer.h"
+#include "filter/guides.h"
+#include "filter/mend.h"
+#include "filter/reproject.h"
+#include "filter/temporal.h"
+
+namespace gh::filter {
+
+struct DenoiseSettings {
+    MendSettings mend;
+    TemporalSettings temporal;
+    SettleSettings settle;
+    AtrousSettings direct{.levels = 4};    // 3x3: the shadow of a small lamp is small
+    AtrousSettings indirect{.levels = 5};  // levels of 0: not smoothed over the picture
+    AtrousSettings specular{.levels = 3};
+    bool settles = true;  // whether unknown changes are looked for
+};
+
+class Denoiser {
+  public:
+    // The next frame is the first: nothing of what was seen counts.
+    void forget();
+
+    // `out` is made to fit, linear radiance like `light`.
+    void denoise(const GBuffer& surfaces, const Light& light, const DenoiseSettings& settings, const Jobs& jobs,
+                 Plane3& out);
+
+    // Samples in the mean of each pixel's direct light, for views of what the filter does.
+    [[nodiscard]] const Plane& history_length() const { return direct_.mean.length; }
+
+  private:
+    // One of the lights through the frames.
+    struct Track {
+        Plane3 mended;
+        Accumulated mean;
+        History history;
+        Signal signal, scratch;
+    };
+    struct Step;
+
+    void accumulate_track(const Plane3& light, const Plane& change, const Taps& taps, const Step& step, Track& track);
+    void smooth_diffuse(const Step& step, bool has_direct, bool has_indirect);
+    void smooth_specular(const Step& step);
+
+    Guides guides_;
+    SeenSurfaces seen_;
+    Taps taps_, reflected_taps_;
+    Track direct_, indirect_, specular_;
+    Plane sums_[2];
+};
+
+}  // namespace gh::filter

@@ -1,0 +1,192 @@
+// filter_bench - core-milliseconds of every filter at a picture's size, on one core, and how much error it leaves.
+//
+//   filter_bench --size 640x360 --window 1280x720 --rounds 15
+//
+// The scene is the tests' synthetic room with one sample a pixel, so that the truth is known.
+#include "figures.h"
+#include "filter/albedo.h"
+#include "filter/denoiser.h"
+#include "filter/isa.h"
+#include "filter/synthetic.h"
+#include "filter/variance.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace {
+
+namespace filter = gh::filter;
+
+struct Options {
+    int width = 640, height = 360;
+    int window_width = 1280, window_height = 720;
+    int rounds = 15;
+    std::string isa;
+};
+
+Options read_options(int argc, char** argv) {
+    Options options;
+    CLI::App app("What filters cost, and what they leave of the noise.");
+    app.add_option("--width", options.width, "of the rendered picture")->check(CLI::Range(16, 8192));
+    app.add_option("--height", options.height, "of the rendered picture")->check(CLI::Range(16, 8192));
+    app.add_option("--window-width", options.window_width, "of the upscaled picture")->check(CLI::Range(16, 8192));
+    app.add_option("--window-height", options.window_height, "of the upscaled picture")->check(CLI::Range(16, 8192));
+    app.add_option("--rounds", options.rounds, "samples; medians are over them")->check(CLI::Range(3, 1000));
+    app.add_option("--isa", options.isa, "one of those listed at the start");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        std::exit(app.exit(error) == 0 ? 0 : 2);
+    }
+    return options;
+}
+
+std::uint64_t answer_of(const filter::Plane& plane) {
+    std::uint64_t hash = 1469598103934665603u;
+    for (int y = 0; y < plane.height(); ++y) {
+        for (int x = 0; x < plane.width(); ++x) {
+            std::uint32_t bits;
+            std::memcpy(&bits, &plane.at(x, y), sizeof(bits));
+            hash = (hash ^ bits) * 1099511628211u;
+        }
+    }
+    return hash;
+}
+
+// What the stages hand to each other, after a few frames.
+struct Bench {
+    Options options;
+    gh::Jobs jobs{1};
+    std::vector<gh::test::Frame> frames;
+
+    explicit Bench(const Options& chosen) : options(chosen) {
+        gh::test::Room room;
+        for (std::uint32_t i = 0; i < 12; ++i) {
+            frames.push_back(gh::test::render(room, options.width, options.height, i));
+            room.eye.x += 0.01f;  // a walking eye: nothing falls on whole pixels
+            room.yaw += 0.002f;
+        }
+    }
+
+    void row(const char* name, const std::function<void(int)>& work, const filter::Plane& answer) const {
+        const bench::Samples samples = bench::measure(bench::cpu_ms, options.rounds, 1, work);
+        bench::print_row(name, samples, answer_of(answer));
+    }
+};
+
+void bench_stages(const Bench& b) {
+    const gh::test::Frame &last = b.frames[10], &now = b.frames[11];
+    filter::Plane3 mended, demodulated;
+    b.row("mend", [&](int) { filter::mend(now.noisy.indirect, {}, b.jobs, mended); }, mended.x);
+    b.row("demodulate", [&](int) { filter::demodulate(mended, now.surfaces.albedo, b.jobs, demodulated); },
+          demodulated.x);
+    filter::Guides guides;
+    b.row("guides", [&](int) { filter::make_guides(now.surfaces, b.jobs, guides); }, guides.slope_x);
+    filter::SeenSurfaces seen;
+    b.row("remember surfaces", [&](int) { filter::remember(last.surfaces, b.jobs, seen); }, guides.slope_x);
+    filter::Taps taps;
+    b.row("reproject", [&](int) { filter::reproject(now.surfaces, seen, filter::Motion::OfSurface, b.jobs, taps); },
+          taps.weight[0]);
+    b.row("reproject reflections",
+          [&](int) { filter::reproject(now.surfaces, seen, filter::Motion::OfReflection, b.jobs, taps); },
+          taps.weight[0]);
+
+    filter::Accumulated before, mean;
+    filter::History history;
+    filter::accumulate(last.noisy.indirect, {}, taps, history, {}, b.jobs, before);
+    b.row("remember a signal", [&](int) { filter::remember(before, b.jobs, history); }, before.square);
+    b.row("accumulate a signal",
+          [&](int) { filter::accumulate(demodulated, {}, taps, history, {}, b.jobs, mean); }, mean.light.x);
+    filter::Plane sums[2];
+    b.row("settle a signal", [&](int) { filter::settle({}, b.jobs, mean, sums); }, mean.light.x);
+    filter::Signal signal, scratch;
+    b.row("variance, short history",
+          [&](int) { filter::estimate_variance(mean, guides, b.jobs, signal.variance); }, signal.variance);
+    mean.length = filter::Plane(b.options.width, b.options.height, 8.0f);
+    b.row("variance, long history",
+          [&](int) { filter::estimate_variance(mean, guides, b.jobs, signal.variance); }, signal.variance);
+
+    signal.light = mean.light;
+    signal.luminance = mean.luminance;
+    filter::Signal second = signal, second_scratch;
+    for (const int radius : {1, 2}) {
+        const filter::AtrousSettings settings{.levels = 5, .radius = radius};
+        const std::string kernel = radius == 1 ? "3x3" : "5x5";
+        b.row(("a-trous " + kernel + ", 5 levels, 1 signal").c_str(),
+              [&](int) {
+                  filter::Signal copy = signal;
+                  filter::atrous(guides, settings, b.jobs, copy, scratch);
+              },
+              scratch.light.x);
+        b.row(("a-trous " + kernel + ", 1 level, 2 signals").c_str(),
+              [&](int) {
+                  const filter::Signal* in[] = {&signal, &second};
+                  filter::Signal* out[] = {&scratch, &second_scratch};
+                  filter::atrous_level(guides, in, settings, 1, b.jobs, out);
+              },
+              second_scratch.light.x);
+    }
+    filter::Plane3 out;
+    b.row("remodulate",
+          [&](int) {
+              filter::remodulate({&mean.light, &mean.light, &mean.light, &now.noisy.clean}, now.surfaces.albedo,
+                                 b.jobs, out);
+          },
+          out.x);
+}
+
+void bench_denoiser(const Bench& b, const char* name, bool has_indirect, bool has_specular) {
+    filter::Denoiser denoiser;
+    filter::Plane3 out;
+    std::vector<gh::test::Frame> frames = b.frames;
+    for (gh::test::Frame& frame : frames) {
+        if (!has_indirect) frame.noisy.indirect = {};
+        if (!has_specular) frame.noisy.specular = {};
+    }
+    std::size_t next = 0;
+    b.row(name,
+          [&](int) {
+              // There and back again, so that history always fits.
+              const std::size_t at = next++ % 22;
+              const gh::test::Frame& frame = frames[at < 12 ? at : 22 - at];
+              denoiser.denoise(frame.surfaces, frame.noisy, {}, b.jobs, out);
+          },
+          out.x);
+}
+
+void report_error(const Bench& b) {
+    filter::Denoiser denoiser;
+    filter::Plane3 out;
+    std::printf("\nrelMSE by frame of a walk       noisy     denoised   gain\n");
+    for (std::size_t i = 0; i < b.frames.size(); ++i) {
+        denoiser.denoise(b.frames[i].surfaces, b.frames[i].noisy, {}, b.jobs, out);
+        const gh::filter::Plane3 truth = gh::test::total(b.frames[i].truth);
+        const double noisy = gh::test::rel_mse(gh::test::total(b.frames[i].noisy), truth);
+        const double left = gh::test::rel_mse(out, truth);
+        if (i % 3 == 0 || i == 11) std::printf("%28zu  %8.5f   %8.5f  %5.1f\n", i, noisy, left, noisy / left);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const Options options = read_options(argc, argv);
+    std::printf("kernels:");
+    for (const std::string& name : filter::isa_names()) std::printf(" %s", name.c_str());
+    std::printf("\n");
+    if (!filter::use_isa(options.isa)) {
+        std::fprintf(stderr, "filter_bench: --isa %s: not known here\n", options.isa.c_str());
+        return 2;
+    }
+    const Bench b(options);
+    bench::print_head("core-ms a frame");
+    bench_stages(b);
+    bench_denoiser(b, "denoise: direct", false, false);
+    bench_denoiser(b, "denoise: direct + indirect", true, false);
+    bench_denoiser(b, "denoise: direct + indirect + specular", true, true);
+    report_error(b);
+    return 0;
+}
