@@ -3,6 +3,7 @@
 
 #include "binned_builder.h"
 #include "kernels/kernel_abi.h"
+#include "unfilled.h"
 
 #include <cstdint>
 #include <vector>
@@ -10,15 +11,15 @@
 namespace rc {
 
 struct WideTree {
-    std::vector<kernel::WideNode> nodes;  // a parent stands before its children
+    Unfilled<kernel::WideNode> nodes;  // a parent stands before its children
     std::uint32_t root = kernel::kEmptyTree;
 };
 
 // BLAS leaves are ranges of refs (see kernel_abi.h).
-[[nodiscard]] WideTree collapse_blas(const BinaryNode* binary);
+[[nodiscard]] WideTree collapse_blas(const BinaryTree& tree);
 
 // TLAS leaves are single refs and name their items; `layers[item]` is gathered upwards.
-[[nodiscard]] WideTree collapse_tlas(const BinaryNode* binary, const BuildRef* refs,
+[[nodiscard]] WideTree collapse_tlas(const BinaryTree& tree, const BuildRef* refs,
                                      const std::vector<std::uint32_t>& layers);
 
 // No box: met by nothing.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernels/kernel_abi.h"
+#include "unfilled.h"
 
 #include "raycore/blas.h"
 #include "raycore/scene.h"
@@ -26,10 +27,10 @@ struct Blas::Data {
         return v;
     }
 
-    std::vector<kernel::WideNode> nodes;  // a parent stands before its children
-    std::vector<float> leaves;            // triangle blocks, then kLeafPadding words
+    Unfilled<kernel::WideNode> nodes;     // a parent stands before its children
+    Unfilled<float> leaves;               // triangle blocks, then kLeafPadding words
     std::uint32_t root = kernel::kEmptyTree;
-    std::vector<glm::uvec3> triangles;             // as given; refit reads them
+    Unfilled<glm::uvec3> triangles;                // as given; refit reads them
     std::vector<std::uint32_t> leaf_of_primitive;  // the leaf that holds it, kNone when dropped
     std::size_t vertex_count = 0;
     MeshReport report;
@@ -41,7 +42,7 @@ struct Blas::Data {
 struct Scene::Data {
     std::vector<Instance> instances;
     std::vector<kernel::InstanceView> views;  // slot i is instance i
-    std::vector<kernel::WideNode> nodes;
+    Unfilled<kernel::WideNode> nodes;
     std::size_t dropped = 0;
     Box bounds;
     kernel::SceneView view;

@@ -5,7 +5,9 @@
 #include <glm/common.hpp>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace rc {
 
@@ -14,6 +16,7 @@ namespace {
 constexpr float kInf = std::numeric_limits<float>::infinity();
 // A node with this many nodes below it is fitted by several threads.
 constexpr std::uint32_t kParallelNodes = 256;
+constexpr std::size_t kCostBlock = 1024;
 
 const Box kNoBox{glm::vec3(kInf), glm::vec3(-kInf)};
 
@@ -99,17 +102,25 @@ float cost_of(const Blas::Data& blas) {
     if (blas.root == kernel::kEmptyTree) return 0.0f;
     const auto count_in = [](std::uint32_t leaf) { return float(leaf_range(leaf).count); };
     if (blas.root & kernel::kLeafBit) return count_in(blas.root);
-    auto sum = double(half_area(blas.bounds));
-    const double root_area = sum;
-    for (const kernel::WideNode& node :
-         blas.nodes) {  // in the order of the nodes: one sum for any thread count
-        for (int lane = 0; lane < kernel::kWidth; ++lane) {
-            if (node.layers[lane] == 0) continue;
-            const bool is_leaf = (node.child[lane] & kernel::kLeafBit) != 0;
-            sum += double(half_area(box_in(node, lane)) * (is_leaf ? count_in(node.child[lane]) : 1.0f));
+    const double root_area = double(half_area(blas.bounds));
+    if (!(root_area > 0.0)) return 1.0f;
+    // Blocks of fixed size, added up in order: one sum for any thread count.
+    std::vector<double> sums((blas.nodes.size() + kCostBlock - 1) / kCostBlock, 0.0);
+    tbb::parallel_for(std::size_t{0}, sums.size(), [&](std::size_t block) {
+        const std::size_t end = std::min(blas.nodes.size(), (block + 1) * kCostBlock);
+        for (std::size_t i = block * kCostBlock; i < end; ++i) {
+            const kernel::WideNode& node = blas.nodes[i];
+            for (int lane = 0; lane < kernel::kWidth; ++lane) {
+                if (node.layers[lane] == 0) continue;
+                const bool is_leaf = (node.child[lane] & kernel::kLeafBit) != 0;
+                sums[block] +=
+                    double(half_area(box_in(node, lane)) * (is_leaf ? count_in(node.child[lane]) : 1.0f));
+            }
         }
-    }
-    return root_area > 0.0 ? float(sum / root_area) : 1.0f;
+    });
+    double sum = root_area;
+    for (const double part : sums) sum += part;
+    return float(sum / root_area);
 }
 
 void refit_blas(Blas& blas, std::span<const glm::vec3> positions) {
