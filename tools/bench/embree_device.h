@@ -15,8 +15,8 @@ namespace bench {
 // A device that counts the bytes it keeps.
 class EmbreeDevice {
   public:
-    explicit EmbreeDevice(unsigned threads)
-        : device_(rtcNewDevice(("threads=" + std::to_string(threads)).c_str())) {
+    explicit EmbreeDevice(unsigned threads, const char* config = "")
+        : device_(rtcNewDevice(("threads=" + std::to_string(threads) + "," + config).c_str())) {
         rtcSetDeviceMemoryMonitorFunction(
             device_,
             [](void* count, ssize_t bytes, bool) {

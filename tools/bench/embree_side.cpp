@@ -7,15 +7,16 @@
 namespace bench {
 
 struct EmbreeSide::Impl {
-    explicit Impl(unsigned threads) : device(threads) {}
+    Impl(unsigned threads, const char* config) : device(threads, config) {}
 
     EmbreeDevice device;
     RTCScene scene = nullptr;
     BuildTime build_time;
 };
 
-EmbreeSide::EmbreeSide(const BenchScene& source, EmbreeMode mode, EmbreeQuality quality, unsigned threads)
-    : impl_(std::make_unique<Impl>(threads)) {
+EmbreeSide::EmbreeSide(const BenchScene& source, EmbreeMode mode, EmbreeQuality quality, unsigned threads,
+                       const char* config)
+    : impl_(std::make_unique<Impl>(threads, config)) {
     RTCDevice device = impl_->device.get();
     impl_->scene = rtcNewScene(device);
     rtcSetSceneFlags(impl_->scene, mode == EmbreeMode::Robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);

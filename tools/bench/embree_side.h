@@ -23,7 +23,9 @@ struct BuildTime {
 
 class EmbreeSide {
   public:
-    EmbreeSide(const BenchScene& scene, EmbreeMode mode, EmbreeQuality quality, unsigned threads);
+    // `config` as rtcNewDevice wants it, e.g. "isa=avx2".
+    EmbreeSide(const BenchScene& scene, EmbreeMode mode, EmbreeQuality quality, unsigned threads,
+               const char* config = "");
     ~EmbreeSide();
     EmbreeSide(const EmbreeSide&) = delete;
     EmbreeSide& operator=(const EmbreeSide&) = delete;

@@ -1,5 +1,7 @@
 // raycore_bench - how fast and how right, beside Embree 3 on the same rays in the same interleaved run.
 #include "bench_builds.h"
+#include "bench_casts.h"
+#include "bench_errors.h"
 #include "bench_queries.h"
 #include "bench_report.h"
 #include "bench_scenes.h"
@@ -19,8 +21,9 @@ struct Options {
     std::vector<float> camera;
     int rounds = 7, keep = 8;
     unsigned threads = 2;
-    std::size_t batch = 64;
+    std::size_t batch = 64, rays = 1'000'000;
     bool no_embree = false, no_builds = false, no_queries = false, is_quick = false;
+    bool hard_cases = false, speed_error = false;
 };
 
 Options read_options(int argc, char** argv) {
@@ -44,6 +47,10 @@ Options read_options(int argc, char** argv) {
     app.add_flag("--no-embree", options.no_embree, "raycore alone");
     app.add_flag("--no-builds", options.no_builds, "queries alone");
     app.add_flag("--no-queries", options.no_queries, "builds alone");
+    app.add_flag("--hard-cases", options.hard_cases, "only the table of rays that must hit");
+    app.add_flag("--speed-error", options.speed_error, "only the table of speed against error");
+    app.add_option("--rays", options.rays, "of the largest hard case; 50000000 asks 150 million in all")
+        ->check(CLI::PositiveNumber);
     app.add_flag("--quick", options.is_quick, "under a minute: fewer rays, rounds and scenes");
     try {
         app.parse(argc, argv);
@@ -100,12 +107,20 @@ int main(int argc, char** argv) {
             return std::fprintf(stderr, "--isa %s: not known here\n", options.isa.c_str()), 2;
     }
     if (options.is_quick) options.rounds = 3, options.keep = 32;
-    if (options.scenes.empty()) {
+    const bool is_all = options.scenes.empty() && !options.hard_cases && !options.speed_error;
+    if (is_all) {
         options.scenes = {"museum", "interior", "cloth", "crowd"};
         if (!options.is_quick) options.scenes.insert(options.scenes.begin() + 2, {"landscape", "stadium"});
     }
     bench::Report report;
     report.fact("instructions", std::string(rc::isa_name(rc::active_isa())));
     if (!run(report, options)) return 2;
+    const bench::ErrorOptions errors{options.is_quick ? 100'000 : options.rays, options.rounds,
+                                     !options.no_embree};
+    if (is_all || options.speed_error) bench::bench_speed_error(report, errors);
+    if (is_all || options.hard_cases) {
+        bench::bench_hard_cases(report, errors);
+        bench::bench_same_bits(report, errors);
+    }
     return options.json.empty() || report.write_json(options.json) ? 0 : 2;
 }
