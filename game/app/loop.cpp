@@ -16,6 +16,7 @@ namespace gh::app {
 namespace {
 
 constexpr int kMostTicksAPicture = 6;
+constexpr render::WhittedSettings kWindowSettings{.texture_taps = 4.0f, .is_adaptive = true};
 constexpr const char* kPhaseNames[sim::kPhaseCount] = {"decide", "doors",  "motion",   "stones",
                                                        "noise",  "commit", "perceive", "judge"};
 
@@ -38,11 +39,9 @@ present::ProfileModel profile_model(const Stopwatch& frames, const Stopwatch& ti
     model.frame_rooms = frames.rooms();
     model.tick_rooms = ticks.rooms();
     model.frame_history_ms = frames.history_ms();
-    model.rays = {{"primary", stats.primary_rays},
-                  {"reflected", stats.reflected_rays},
-                  {"refracted", stats.refracted_rays},
-                  {"shadow", stats.shadow_rays},
-                  {"shadow in glass", stats.glass_shadow_rays},
+    model.rays = {{"primary", stats.primary_rays},     {"lit pixels", stats.lit_pixels},
+                  {"reflected", stats.reflected_rays}, {"refracted", stats.refracted_rays},
+                  {"shadow", stats.shadow_rays},       {"shadow in glass", stats.glass_shadow_rays},
                   {"ambient", stats.ambient_rays}};
     return model;
 }
@@ -164,7 +163,8 @@ void Loop::draw() {
         frame_watch_.enter("render");
         const Clock::time_point start = Clock::now();
         view_.resize(size.x, size.y);
-        view_.expose({*session_.level, *now, *session_.prepared}, camera, {}, frame_, *session_.jobs);
+        view_.expose({*session_.level, *now, *session_.prepared}, camera, kWindowSettings, frame_,
+                     *session_.jobs);
         frame_watch_.enter("filter");
         view_.develop(frame_, picture_seconds_, settings_.brightness, *session_.jobs);
         const float ticks_ms = tick_watch_.round_ms() * settings_.frames_a_second / 60.0f;

@@ -87,6 +87,8 @@ void add_render(CLI::App& render, RenderOptions& o) {
         ->check(CLI::Range(1, 65536))
         ->capture_default_str()
         ->type_name("N");
+    render.add_flag("--adaptive", o.is_adaptive,
+                    "work out light for fewer pixels where it changes little, as the window does");
     add_size(render, o.size);
     add_machine(render, o.machine);
 }

@@ -48,6 +48,7 @@ struct RenderOptions {
     Size size;
     std::string renderer = "whitted";
     int samples_per_pixel = 16;
+    bool is_adaptive = false;
     MachineOptions machine;
 };
 

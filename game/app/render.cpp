@@ -47,7 +47,8 @@ int render(const RenderOptions& options) {
     if (!camera) return refuse(camera.error());
     const render::Prepared prepared = render::prepare(*level, snapshot, jobs);
 
-    const render::WhittedSettings settings{.samples_per_pixel = options.samples_per_pixel};
+    const render::WhittedSettings settings{.samples_per_pixel = options.samples_per_pixel,
+                                           .is_adaptive = options.is_adaptive};
     View view(options.size.width, options.size.height);
     const Clock::time_point start = Clock::now();
     view.expose({*level, snapshot, prepared}, *camera, settings, 0, jobs);

@@ -9,6 +9,7 @@ FrameStats& FrameStats::operator+=(const FrameStats& other) {
     shadow_rays += other.shadow_rays;
     glass_shadow_rays += other.glass_shadow_rays;
     ambient_rays += other.ambient_rays;
+    lit_pixels += other.lit_pixels;
     return *this;
 }
 

@@ -16,6 +16,7 @@ struct FrameStats {
     std::uint64_t glass_shadow_rays =
         0;                           // the same once more, where glass or cut-out leaves may stand in between
     std::uint64_t ambient_rays = 0;  // short ones that find corners
+    std::uint64_t lit_pixels = 0;    // no rays: pixels whose light was worked out, not blended from others'
 
     [[nodiscard]] std::uint64_t total() const {
         return primary_rays + reflected_rays + refracted_rays + shadow_rays + glass_shadow_rays +

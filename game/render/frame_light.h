@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/ambient.h"
+#include "render/lamp.h"
 #include "render/scene_view.h"
 
 #include <glm/vec3.hpp>
@@ -15,6 +16,7 @@ struct FrameLight {
     std::vector<std::uint8_t> lamp_on;      // one a lamp
     std::vector<std::uint8_t> emission_on;  // one a part
     glm::vec3 sun{0.0f};  // all suns that are on, W/m2 across their directions: what lights the sky
+    std::vector<LampReach> reaches;  // one a lamp
     AmbientLight ambient;
 };
 

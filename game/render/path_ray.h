@@ -48,6 +48,8 @@ struct PathRay {
     rc::Ray ray;             // direction unit
     glm::vec3 weight{1.0f};  // what its light counts in the pixel
     MediumStack media;
+    std::uint32_t chain =
+        0;  // of mirrors and glass it came by: pixels with the same chain see the same image
     float cone_width = 0.0f;  // of the pixel's cone at the origin, metres
     float cone_angle = 0.0f;
     float bulb_share = 1.0f;  // of a lamp's bulb it sees; the rest is in the highlight already
@@ -55,6 +57,7 @@ struct PathRay {
     std::uint8_t depth = 0;   // mirrors and borders of glass so far
     std::uint8_t passes = 0;  // holes in leaves so far
     bool is_leading = true;   // carries the pixel's main surface: its samples are shared with neighbours
+    bool is_glimmer = false;  // mirrored by the main surface, whose own light counts more
 };
 
 }  // namespace gh::render

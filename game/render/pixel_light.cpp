@@ -17,7 +17,7 @@ constexpr std::array<float, 5> kWindow = {0.5f, 1.0f, 1.0f, 1.0f,
                                           0.5f};  // both ends are the same place of the pattern
 
 bool is_uniform(const PixelLight& p) {
-    return p.size == 0.0f || p.arrived == p.tried;
+    return p.size == 0.0f || p.shared.arrived == p.shared.tried;
 }
 
 bool are_together(const PixelLight& a, const PixelLight& b) {
@@ -45,17 +45,17 @@ glm::vec3 shared_light(const std::vector<PixelLight>& pixels, int width, int hei
             if (!are_together(centre, other)) continue;
             const float weight =
                 kWindow[static_cast<std::size_t>(i - x + 2)] * kWindow[static_cast<std::size_t>(j - y + 2)];
-            tried += other.tried * weight;
-            arrived += other.arrived * weight;
+            tried += other.shared.tried * weight;
+            arrived += other.shared.arrived * weight;
         }
     }
-    return centre.unshadowed *
+    return centre.shared.unshadowed *
            glm::vec3(ratio(arrived.x, tried.x), ratio(arrived.y, tried.y), ratio(arrived.z, tried.z));
 }
 
 // What this pixel found by itself.
 glm::vec3 own_light(const PixelLight& p) {
-    return p.arrived == p.tried ? p.unshadowed : p.arrived;
+    return p.shared.arrived == p.shared.tried ? p.shared.unshadowed : p.shared.arrived;
 }
 
 }  // namespace

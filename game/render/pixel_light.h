@@ -10,13 +10,17 @@
 
 namespace gh::render {
 
-struct PixelLight {
-    glm::vec3 clean{0.0f};  // exact for this pixel
-    // Of the main surface: its light if nothing stood before the lamps, exact too; how much of that this pixel's few
-    // shadow rays tried (on average the same); and how much of what they tried arrived.
+// Of a pixel's main surface: its light if nothing stood before the lamps, exact; how much of that the pixel's few
+// shadow rays tried (on average the same); and how much of what they tried arrived.
+struct SharedLight {
     glm::vec3 unshadowed{0.0f};
     glm::vec3 tried{0.0f};
     glm::vec3 arrived{0.0f};
+};
+
+struct PixelLight {
+    glm::vec3 clean{0.0f};  // exact for this pixel
+    SharedLight shared;
     // The main surface, by which pixels know whether they belong together.
     glm::vec3 position{0.0f};
     glm::vec3 normal{0.0f};

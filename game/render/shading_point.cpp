@@ -125,7 +125,8 @@ glm::vec3 facing_eye(const glm::vec3& normal, const glm::vec3& to_eye) {
 
 }  // namespace
 
-ShadingPoint shading_point(const SceneView& view, const rc::Ray& ray, const rc::Hit& hit, float cone_width) {
+ShadingPoint shading_point(const SceneView& view, const rc::Ray& ray, const rc::Hit& hit, float cone_width,
+                           float max_taps) {
     EXPECTS(!hit.is_miss());
     const world::Level& level = view.level;
     const world::Mesh& mesh = level.meshes[level.parts[hit.instance].mesh];
@@ -149,7 +150,7 @@ ShadingPoint shading_point(const SceneView& view, const rc::Ray& ray, const rc::
         mesh.uvs.empty() ? Footprint{} : footprint_of(corners, direction, outward, cone_width);
     const auto look_up = [&](std::uint32_t texture) {
         if (texture == world::kNoIndex || mesh.uvs.empty()) return glm::vec4(1.0f);
-        return view.prepared.textures[texture].sample(corners.uv, footprint);
+        return view.prepared.textures[texture].sample(corners.uv, footprint, max_taps);
     };
     const glm::vec4 base = material.base_color * look_up(material.base_color_texture);
     const glm::vec4 rough_metal = look_up(material.metallic_roughness_texture);

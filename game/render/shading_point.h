@@ -26,9 +26,10 @@ struct ShadingPoint {
     glm::vec3 emission{0.0f};
 };
 
-// `cone_width`: of the pixel's cone where the ray ends, metres. Precondition: `hit` is a hit of the snapshot's scene.
+// `cone_width`: of the pixel's cone where the ray ends, metres; `max_taps`: of each texture. Precondition: `hit` is a hit
+// of the snapshot's scene.
 [[nodiscard]] ShadingPoint shading_point(const SceneView& view, const rc::Ray& ray, const rc::Hit& hit,
-                                         float cone_width);
+                                         float cone_width, float max_taps = kMostTaps);
 
 // The direction a mirror sends the ray on. Where a bent normal would send it into the surface it just grazes it.
 [[nodiscard]] glm::vec3 mirrored_direction(const glm::vec3& direction, const ShadingPoint& at);

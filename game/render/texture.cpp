@@ -15,8 +15,6 @@ namespace gh::render {
 
 namespace {
 
-constexpr float kMaxTaps = 8.0f;
-
 float linear_from_srgb(float encoded) {
     return encoded <= 0.04045f ? encoded / 12.92f : det::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
@@ -50,111 +48,123 @@ Tables make_tables() {
 
 const Tables kTables = make_tables();
 
-int wrapped(int i, int size, world::Wrap wrap) {
+// Brings a coordinate into [0, 1]: what lies outside repeats, runs back, or is the border's.
+float folded(float u, world::Wrap wrap) {
     switch (wrap) {
         case world::Wrap::Clamp:
-            return std::clamp(i, 0, size - 1);
+            return std::clamp(u, 0.0f, 1.0f);
         case world::Wrap::Mirror: {
-            const int at = ((i % (2 * size)) + 2 * size) % (2 * size);
-            return at < size ? at : 2 * size - 1 - at;
+            const float t = u - 2.0f * std::floor(0.5f * u);
+            return t <= 1.0f ? t : 2.0f - t;
         }
         case world::Wrap::Repeat:
             break;
     }
-    const int at = i % size;
-    return at < 0 ? at + size : at;
+    return u - std::floor(u);
 }
 
-// Far outside, float texel coordinates mean nothing and would not fit an int.
-float tamed(float coordinate) {
-    return std::abs(coordinate) < 1e6f ? coordinate : 0.0f;
+// Two texels next to each other and how far the place is from the first to the second.
+struct Pair {
+    int first, second;
+    float share;
+};
+
+Pair pair_at(float unit, int size, world::Wrap wrap) {
+    const float at = unit * static_cast<float>(size) - 0.5f;
+    const float floor = std::floor(at);
+    const int i = static_cast<int>(floor);
+    const bool repeats = wrap == world::Wrap::Repeat;
+    const int first = i >= 0 ? i : repeats ? size - 1 : 0;
+    const int second = i + 1 < size ? i + 1 : repeats ? 0 : size - 1;
+    return {std::min(first, size - 1), second, at - floor};
 }
 
 }  // namespace
 
+MipTexture::Mip::Mip(int mip_width, int mip_height)
+    : width(mip_width), height(mip_height), blocks_across(static_cast<std::size_t>(mip_width + 3) / 4) {
+    rgba.resize(blocks_across * (static_cast<std::size_t>(mip_height + 3) / 4) * 16);
+}
+
 MipTexture::MipTexture(const world::Texture& texture, Encoding encoding)
-    : whole_(texture.rgba), wrap_u_(texture.wrap_u), wrap_v_(texture.wrap_v), encoding_(encoding) {
+    : wrap_u_(texture.wrap_u), wrap_v_(texture.wrap_v), encoding_(encoding) {
     EXPECTS(texture.width >= 1 && texture.height >= 1);
-    levels_.push_back({texture.width, texture.height});
-    while (levels_.back().width > 1 || levels_.back().height > 1) add_level(level_count() - 1);
+    Mip whole(texture.width, texture.height);
+    const std::uint8_t* bytes = texture.rgba.data();
+    for (int y = 0; y < texture.height; ++y) {
+        for (int x = 0; x < texture.width; ++x, bytes += 4) {
+            whole.rgba[whole.index(x, y)] = std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8 |
+                                            std::uint32_t{bytes[2]} << 16 | std::uint32_t{bytes[3]} << 24;
+        }
+    }
+    mips_.push_back(std::move(whole));
+    while (mips_.back().width > 1 || mips_.back().height > 1) mips_.push_back(halved(mips_.back()));
 }
 
-std::span<const std::uint8_t> MipTexture::texels(int level) const {
-    return level == 0 ? whole_ : std::span<const std::uint8_t>(smaller_[static_cast<std::size_t>(level - 1)]);
-}
-
-glm::vec4 MipTexture::texel(int level, int x, int y) const {
-    const auto width = static_cast<std::size_t>(levels_[static_cast<std::size_t>(level)].width);
-    const std::uint8_t* rgba =
-        texels(level).data() + (static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)) * 4;
+glm::vec4 MipTexture::linear(std::uint32_t texel) const {
     const std::array<float, 256>& rgb = encoding_ == Encoding::Srgb ? kTables.from_srgb : kTables.unit;
-    return {rgb[rgba[0]], rgb[rgba[1]], rgb[rgba[2]], kTables.unit[rgba[3]]};
+    return {rgb[texel & 0xFF], rgb[texel >> 8 & 0xFF], rgb[texel >> 16 & 0xFF], kTables.unit[texel >> 24]};
+}
+
+std::uint32_t MipTexture::encoded(const glm::vec4& mean) const {
+    std::uint32_t texel = std::uint32_t{byte_from_unit(mean.w)} << 24;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const float value = std::clamp(mean[c], 0.0f, 1.0f);
+        const std::uint8_t byte = encoding_ == Encoding::Srgb
+                                      ? kTables.to_srgb[static_cast<std::size_t>(value * 4095.0f + 0.5f)]
+                                      : byte_from_unit(value);
+        texel |= std::uint32_t{byte} << (8 * c);
+    }
+    return texel;
 }
 
 // Half the size, rounded down: each texel the mean of the 2x2 below it, 3 wide where a side is odd.
-void MipTexture::add_level(int from) {
-    const Size big = levels_[static_cast<std::size_t>(from)];
-    const Size small{std::max(1, big.width / 2), std::max(1, big.height / 2)};
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(small.width) *
-                                    static_cast<std::size_t>(small.height) * 4);
+MipTexture::Mip MipTexture::halved(const Mip& big) const {
+    Mip small(std::max(1, big.width / 2), std::max(1, big.height / 2));
     for (int y = 0; y < small.height; ++y) {
         const int y_begin = y * big.height / small.height, y_end = (y + 1) * big.height / small.height;
         for (int x = 0; x < small.width; ++x) {
             const int x_begin = x * big.width / small.width, x_end = (x + 1) * big.width / small.width;
             glm::vec4 sum(0.0f);
             for (int j = y_begin; j < y_end; ++j) {
-                for (int i = x_begin; i < x_end; ++i) sum += texel(from, i, j);
+                for (int i = x_begin; i < x_end; ++i) sum += linear(big.rgba[big.index(i, j)]);
             }
-            const glm::vec4 mean = sum / static_cast<float>((y_end - y_begin) * (x_end - x_begin));
-            std::uint8_t* out =
-                bytes.data() + (static_cast<std::size_t>(y) * static_cast<std::size_t>(small.width) +
-                                static_cast<std::size_t>(x)) *
-                                   4;
-            for (std::size_t c = 0; c < 3; ++c) {
-                const float value = std::clamp(mean[c], 0.0f, 1.0f);
-                out[c] = encoding_ == Encoding::Srgb
-                             ? kTables.to_srgb[static_cast<std::size_t>(value * 4095.0f + 0.5f)]
-                             : byte_from_unit(value);
-            }
-            out[3] = byte_from_unit(mean.w);
+            const auto count = static_cast<float>((y_end - y_begin) * (x_end - x_begin));
+            small.rgba[small.index(x, y)] = encoded(sum / count);
         }
     }
-    levels_.push_back(small);
-    smaller_.push_back(std::move(bytes));
+    return small;
 }
 
-glm::vec4 MipTexture::bilinear(int level, const glm::vec2& uv) const {
-    const Size size = levels_[static_cast<std::size_t>(level)];
-    const float x = tamed(uv.x * static_cast<float>(size.width) - 0.5f);
-    const float y = tamed(uv.y * static_cast<float>(size.height) - 0.5f);
-    const float x_floor = std::floor(x), y_floor = std::floor(y);
-    const int x0 = wrapped(static_cast<int>(x_floor), size.width, wrap_u_);
-    const int x1 = wrapped(static_cast<int>(x_floor) + 1, size.width, wrap_u_);
-    const int y0 = wrapped(static_cast<int>(y_floor), size.height, wrap_v_);
-    const int y1 = wrapped(static_cast<int>(y_floor) + 1, size.height, wrap_v_);
-    const float fx = x - x_floor, fy = y - y_floor;
-    const glm::vec4 top = texel(level, x0, y0) * (1.0f - fx) + texel(level, x1, y0) * fx;
-    const glm::vec4 bottom = texel(level, x0, y1) * (1.0f - fx) + texel(level, x1, y1) * fx;
-    return top * (1.0f - fy) + bottom * fy;
+glm::vec4 MipTexture::bilinear(const Mip& mip, const glm::vec2& uv) const {
+    const Pair x = pair_at(uv.x, mip.width, wrap_u_), y = pair_at(uv.y, mip.height, wrap_v_);
+    const std::uint32_t* texels = mip.rgba.data();
+    const glm::vec4 top = linear(texels[mip.index(x.first, y.first)]) * (1.0f - x.share) +
+                          linear(texels[mip.index(x.second, y.first)]) * x.share;
+    const glm::vec4 bottom = linear(texels[mip.index(x.first, y.second)]) * (1.0f - x.share) +
+                             linear(texels[mip.index(x.second, y.second)]) * x.share;
+    return top * (1.0f - y.share) + bottom * y.share;
 }
 
 glm::vec4 MipTexture::trilinear(float level, const glm::vec2& uv) const {
     const float clamped = std::clamp(level, 0.0f, static_cast<float>(level_count() - 1));
-    const int fine = static_cast<int>(clamped);
+    const auto fine = static_cast<std::size_t>(clamped);
     const float blend = clamped - static_cast<float>(fine);
-    const glm::vec4 sharp = bilinear(fine, uv);
-    return blend == 0.0f ? sharp : sharp * (1.0f - blend) + bilinear(fine + 1, uv) * blend;
+    const glm::vec2 at(folded(uv.x, wrap_u_), folded(uv.y, wrap_v_));
+    const glm::vec4 sharp = bilinear(mips_[fine], at);
+    return blend == 0.0f ? sharp : sharp * (1.0f - blend) + bilinear(mips_[fine + 1], at) * blend;
 }
 
-glm::vec4 MipTexture::sample(glm::vec2 uv, const Footprint& footprint) const {
-    if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) uv = glm::vec2(0.0f);
-    const glm::vec2 size(static_cast<float>(levels_[0].width), static_cast<float>(levels_[0].height));
+glm::vec4 MipTexture::sample(glm::vec2 uv, const Footprint& footprint, float max_taps) const {
+    // Far outside, texel coordinates mean nothing; nor do those of a NaN.
+    if (!(std::abs(uv.x) < 1e6f) || !(std::abs(uv.y) < 1e6f)) uv = glm::vec2(0.0f);
+    const glm::vec2 size(static_cast<float>(mips_[0].width), static_cast<float>(mips_[0].height));
     const float major = glm::length(footprint.major * size);
     const float minor = glm::length(footprint.minor * size);
 
     // As many taps along the long axis as make each about round; what is left over is blurred away.
     const float wanted = std::ceil(major / std::max(minor, 1.0f));
-    const float taps = wanted > 1.0f ? std::min(wanted, kMaxTaps) : 1.0f;
+    const float taps = wanted > 1.0f ? std::min(wanted, max_taps) : 1.0f;
     const float width = std::max(minor, major / taps);
     const float level = width > 1.0f ? std::log2(width) : 0.0f;
     if (taps == 1.0f) return trilinear(level, uv);

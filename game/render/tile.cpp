@@ -15,6 +15,7 @@ namespace gh::render {
 namespace {
 
 constexpr std::uint8_t kMostPasses = 32;
+constexpr float kGlimmerTaps = 2.0f;
 
 }  // namespace
 
@@ -29,27 +30,41 @@ void TileTracer::trace(int tile_x, int tile_y, std::vector<PixelLight>& pixels, 
         samplers_.push_back(pixel_sampler(x_ + i % columns_, y_ + i / columns_, frame_.number,
                                           frame_.settings.shares_samples));
     }
+    across_ = TileLattice(columns_);
+    down_ = TileLattice(rows_);
     const int samples = frame_.settings.samples_per_pixel;
-    for (sample_ = 0; sample_ < samples; ++sample_) {
-        add_primary_rays(sample_);
-        stats.primary_rays += now_.size();
-        while (!now_.empty()) {
-            trace_generation(stats);
-            trace_shadows(stats);
-            now_.swap(next_);
-            next_.clear();
-        }
-    }
+    for (sample_ = 0; sample_ < samples; ++sample_) trace_sample(stats);
     const float per_sample = 1.0f / static_cast<float>(samples);
     for (int i = 0; i < columns_ * rows_; ++i) {
         PixelLight& light = pixels_[static_cast<std::size_t>(i)];
         light.clean *= per_sample;
-        light.unshadowed *= per_sample;
-        light.tried *= per_sample;
-        light.arrived *= per_sample;
+        light.shared.unshadowed *= per_sample;
+        light.shared.tried *= per_sample;
+        light.shared.arrived *= per_sample;
         const int x = x_ + i % columns_, y = y_ + i / columns_;
         pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width) +
                static_cast<std::size_t>(x)] = light;
+    }
+}
+
+void TileTracer::trace_sample(FrameStats& stats) {
+    main_.clear(pixels_.size());
+    add_primary_rays(sample_);
+    stats.primary_rays += now_.size();
+    trace_all(stats);
+    main_.begin_light();
+    light_main_surfaces(stats);
+    reflect_main_surfaces(stats);
+    add_main_light();
+}
+
+// The rays of now_ and all that come of them.
+void TileTracer::trace_all(FrameStats& stats) {
+    while (!now_.empty()) {
+        trace_generation(stats);
+        trace_shadows(stats);
+        now_.swap(next_);
+        next_.clear();
     }
 }
 
@@ -93,20 +108,23 @@ void TileTracer::trace_shadows(FrameStats& stats) {
     stats.shadow_rays += shadow_rays_.size();
     stats.glass_shadow_rays += batch_.looked_through();
     for (std::size_t i = 0; i < shadows_.size(); ++i) {
-        PixelLight& light = pixels_[shadows_[i].pixel];
-        (shadows_[i].is_shared ? light.arrived : light.clean) += shadows_[i].light * shares_[i];
+        light_of(shadows_[i].pixel, shadows_[i].share) += shadows_[i].light * shares_[i];
     }
     shadow_rays_.clear();
     shadows_.clear();
 }
 
 void TileTracer::shade_miss(const PathRay& path) {
-    pixel(path).clean += path.weight * sky_radiance(frame_.light.sun, path.ray.direction);
+    light_of(path.pixel, visible_share(path)) +=
+        path.weight * sky_radiance(frame_.light.sun, path.ray.direction);
 }
 
 void TileTracer::shade(PathRay path, const rc::Hit& hit, FrameStats& stats) {
     path.cone_width += path.cone_angle * hit.t;
-    const ShadingPoint at = shading_point(frame_.view, path.ray, hit, path.cone_width);
+    const ShadingPoint at =
+        shading_point(frame_.view, path.ray, hit, path.cone_width,
+                      path.is_leading ? frame_.settings.texture_taps
+                                      : std::min(kGlimmerTaps, frame_.settings.texture_taps));
     if (const world::Material* glass = path.media.top(); glass != nullptr) {
         path.weight *= absorbed(*glass, glm::distance(path.from, at.surface.position));
     }
@@ -115,7 +133,8 @@ void TileTracer::shade(PathRay path, const rc::Hit& hit, FrameStats& stats) {
 
     if (frame_.light.emission_on[at.part] != 0) {
         const bool is_bulb = frame_.view.prepared.parts[at.part].lamp != world::kNoIndex;
-        pixel(path).clean += path.weight * at.emission * (is_bulb ? path.bulb_share : 1.0f);
+        light_of(path.pixel, visible_share(path)) +=
+            path.weight * at.emission * (is_bulb ? path.bulb_share : 1.0f);
     }
     const float clear = at.material->transmission * (1.0f - at.metallic);
     if (clear > 0.0f) {
@@ -150,6 +169,18 @@ bool TileTracer::pass_through_hole(PathRay& path, const ShadingPoint& at, FrameS
     path.weight *= covered;
     path.is_leading = path.is_leading && covered >= 0.5f;
     return covered == 0.0f;
+}
+
+glm::vec3& TileTracer::light_of(std::uint16_t pixel, Share share) {
+    switch (share) {
+        case Share::Neighbours:
+            return main_.found_at(pixel).arrived;
+        case Share::Reflection:
+            return main_.reflections[main_.at_pixel[pixel]];
+        case Share::Pixel:
+            break;
+    }
+    return pixels_[pixel].clean;
 }
 
 }  // namespace gh::render

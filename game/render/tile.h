@@ -6,6 +6,8 @@
 #include "render/film.h"
 #include "render/frame_light.h"
 #include "render/gloss.h"
+#include "render/lattice.h"
+#include "render/main_surfaces.h"
 #include "render/path_ray.h"
 #include "render/pixel_light.h"
 #include "render/sampler.h"
@@ -15,6 +17,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -43,40 +47,79 @@ class TileTracer {
     void trace(int tile_x, int tile_y, std::vector<PixelLight>& pixels, FrameStats& stats);
 
   private:
+    using TileLattice = Lattice<kTileSide>;
+    // Where light goes: to the pixel, to what its main surface mirrors, or to what neighbours share.
+    enum class Share : std::uint8_t { Pixel, Reflection, Neighbours };
     struct Shadow {  // light that arrives if nothing stands in its way
         glm::vec3 light;
         std::uint16_t pixel;
-        bool is_shared;
+        Share share;
     };
-
-    void add_primary_rays(int sample);
-    void trace_generation(FrameStats& stats);
-    void trace_shadows(FrameStats& stats);
-    void shade_miss(const PathRay& path);
-    void shade(PathRay path, const rc::Hit& hit, FrameStats& stats);
-    [[nodiscard]] bool pass_through_hole(PathRay& path, const ShadingPoint& at, FrameStats& stats);
-    void shade_glass(const PathRay& path, const ShadingPoint& at, FrameStats& stats);
-    void shade_opaque(const PathRay& path, const ShadingPoint& at, FrameStats& stats);
     // Light that reaches a surface unless something is in its way: from a lamp, or, baked, from all around.
     struct Arrival {
         glm::vec3 light;
         std::uint32_t lamp;  // kNoIndex: ambient
     };
-    void collect_lamps(const PathRay& path, const ShadingPoint& at, const glm::vec3& diffuse,
-                       const Gloss& gloss);
-    void collect_ambient(const PathRay& path, const ShadingPoint& at, const glm::vec3& diffuse,
-                         const glm::vec3& mirrored);
-    void ask_for_shadows(const PathRay& path, const ShadingPoint& at);
-    void ask_one_below(const PathRay& path, const ShadingPoint& at, float least);
-    void ask(const PathRay& path, const ShadingPoint& at, const Arrival& arrival, int count);
-    void ask_lamp(const PathRay& path, const ShadingPoint& at, const Arrival& arrival, std::uint32_t number);
-    void ask_around(const PathRay& path, const ShadingPoint& at, const glm::vec3& light,
-                    std::uint32_t number);
+    // The main surfaces of the pixels around one that were visited in earlier passes and are of its kind.
+    struct Corners {
+        std::uint16_t centre = 0;
+        std::uint8_t count = 0;
+        std::array<std::uint16_t, 4> surface{};
+        std::array<float, 4> weight{};  // sum 1
+    };
+
+    // tile.cpp: where rays go.
+    void trace_sample(FrameStats& stats);
+    void add_primary_rays(int sample);
+    void trace_all(FrameStats& stats);
+    void trace_generation(FrameStats& stats);
+    void trace_shadows(FrameStats& stats);
+    void shade_miss(const PathRay& path);
+    void shade(PathRay path, const rc::Hit& hit, FrameStats& stats);
+    [[nodiscard]] bool pass_through_hole(PathRay& path, const ShadingPoint& at, FrameStats& stats);
+    // tile_glass.cpp, tile_opaque.cpp: what becomes of one at a surface.
+    void shade_glass(const PathRay& path, const ShadingPoint& at, FrameStats& stats);
+    void shade_opaque(const PathRay& path, const ShadingPoint& at, FrameStats& stats);
+    // tile_light.cpp: what reaches a surface, into arrivals_.
+    [[nodiscard]] SurfaceLight collect_light(const SeenSurface& surface);
+    void collect_lamps(const SeenSurface& surface, SurfaceLight& light);
+    void collect_ambient(const SeenSurface& surface, SurfaceLight& light);
+    // tile_shadow.cpp: which of it is worth a shadow ray.
+    void ask_for_all(const SeenSurface& surface);
+    void ask_for_brightest(const SeenSurface& surface);
+    void ask_for_shares(const SeenSurface& surface, float matters);
+    void ask_one_below(const SeenSurface& surface, float least);
+    void ask(const SeenSurface& surface, const Arrival& arrival, int count);
+    void ask_lamp(const SeenSurface& surface, const Arrival& arrival, std::uint32_t number);
+    void ask_around(const SeenSurface& surface, const glm::vec3& light, std::uint32_t number);
     void settle(const PathRay& path, const std::optional<rc::Ray>& ray, const glm::vec3& light);
+    // tile_adaptive.cpp: for which pixels all this is done, and how the others come by their light.
+    void light_main_surfaces(FrameStats& stats);
+    void light_pass(int pass, FrameStats& stats);
+    [[nodiscard]] bool is_blended(const Corners& corners);
+    // tile_reflection.cpp: the same for what polished floors mirror.
+    void reflect_main_surfaces(FrameStats& stats);
+    void reflect_pass(int pass, FrameStats& stats);
+    [[nodiscard]] bool is_reflection_blended(const Corners& corners);
+    [[nodiscard]] PathRay mirrored_ray(const SeenSurface& surface) const;
+
+    // Whether there are enough of them to blend.
+    [[nodiscard]] bool finds_corners(int x, int y, int pass, Corners& corners) const;
+    // The main surfaces of a pass for which `blend` does not find an answer in those around them, into not_blended_.
+    template <class Blend>
+    void visit_pass(int pass, Blend blend);
+
     void note_surface(const PathRay& path, const ShadingPoint& at);
-    [[nodiscard]] PixelLight& pixel(const PathRay& path) { return pixels_[path.pixel]; }
-    [[nodiscard]] bool is_shared(const PathRay& path) const {
-        return path.is_leading && frame_.settings.shares_samples;
+    void add_main_light();
+    [[nodiscard]] float light_so_far(std::uint16_t surface) const;
+    [[nodiscard]] glm::vec3& light_of(std::uint16_t pixel, Share share);
+    // Of light that comes along a ray without having to be asked for.
+    [[nodiscard]] static Share visible_share(const PathRay& path) {
+        return path.is_glimmer ? Share::Reflection : Share::Pixel;
+    }
+    [[nodiscard]] Share share_of(const PathRay& path) const {
+        if (path.is_leading && frame_.settings.shares_samples) return Share::Neighbours;
+        return visible_share(path);
     }
 
     const Frame& frame_;
@@ -92,6 +135,9 @@ class TileTracer {
     std::vector<Shadow> shadows_;
     std::vector<glm::vec3> shares_;
     ShadowBatch batch_;
+    MainSurfaces main_;  // of this sample
+    std::vector<std::uint16_t> not_blended_;
+    TileLattice across_, down_;
 };
 
 }  // namespace gh::render

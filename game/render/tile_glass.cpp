@@ -1,4 +1,5 @@
 // The part of a tile that looks through glass: each border splits a ray into a mirrored and a bent one.
+#include "base/random.h"
 #include "render/fresnel.h"
 #include "render/tile.h"
 
@@ -39,7 +40,9 @@ void TileTracer::shade_glass(const PathRay& path, const ShadingPoint& at, FrameS
 
     bent.weight *= at.base_color * (1.0f - mirrored_share);
     bent.depth = static_cast<std::uint8_t>(path.depth + 1);
+    bent.chain = hash_u32(path.chain, at.part, 0);
     PathRay mirrored = path;
+    mirrored.chain = hash_u32(path.chain, at.part, 1);
     mirrored.weight *= mirrored_share;
     mirrored.depth = bent.depth;
     bent.is_leading = path.is_leading && mirrored_share <= 0.5f;

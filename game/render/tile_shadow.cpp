@@ -1,5 +1,4 @@
-// The part of a tile that decides which shadow rays are worth sending: one to every lamp that matters here, and one for
-// all the faint ones together, each in its turn as often as it counts.
+// The part of a tile that decides which shadow rays are worth sending.
 #include "base/det_math.h"
 #include "render/tile.h"
 
@@ -12,7 +11,7 @@ namespace gh::render {
 
 namespace {
 
-constexpr float kMatters = 0.2f;  // of all light that arrives: more gets a shadow ray of its own
+constexpr float kSpeaksForAll = 0.2f;  // of all light that arrives: in a glimmer, lamps that give more
 constexpr std::uint32_t kAmbientPurpose = 0xA0u << 16, kReachPurpose = 0xA1u << 16,
                         kChoicePurpose = 0xA2u << 16;
 
@@ -38,34 +37,60 @@ glm::vec3 cosine_direction(const glm::vec3& normal, const glm::vec2& u) {
 
 }  // namespace
 
-void TileTracer::ask_for_shadows(const PathRay& path, const ShadingPoint& at) {
-    if (!is_shared(path)) {
-        for (const Arrival& arrival : arrivals_) {
-            const bool is_ambient = arrival.lamp == world::kNoIndex;
-            ask(path, at, arrival,
-                is_ambient ? frame_.settings.ambient_samples : frame_.settings.shadow_samples);
-        }
-        return;
+// Every pixel for itself: a ray to everything.
+void TileTracer::ask_for_all(const SeenSurface& surface) {
+    for (const Arrival& arrival : arrivals_) {
+        const bool is_ambient = arrival.lamp == world::kNoIndex;
+        ask(surface, arrival, is_ambient ? frame_.settings.ambient_samples : frame_.settings.shadow_samples);
     }
+}
+
+// What glimmers in a polished floor counts little and is shared by nobody: the lamps that matter speak for all.
+void TileTracer::ask_for_brightest(const SeenSurface& surface) {
+    glm::vec3 total(0.0f), asked(0.0f);
+    float most = 0.0f;
+    for (const Arrival& arrival : arrivals_) {
+        total += arrival.light;
+        most = std::max(most, brightest(arrival.light));
+    }
+    const float least = std::min(most, kSpeaksForAll * brightest(total));
+    for (const Arrival& arrival : arrivals_) {
+        if (brightest(arrival.light) >= least) asked += arrival.light;
+    }
+    const glm::vec3 scale(asked.x > 0.0f ? total.x / asked.x : 1.0f,
+                          asked.y > 0.0f ? total.y / asked.y : 1.0f,
+                          asked.z > 0.0f ? total.z / asked.z : 1.0f);
+    for (const Arrival& arrival : arrivals_) {
+        if (brightest(arrival.light) >= least) ask(surface, {arrival.light * scale, arrival.lamp}, 1);
+    }
+}
+
+// To every lamp that gives at least the share `matters` of the light, twice to those that give four times that, and one
+// ray for all the faint ones together.
+void TileTracer::ask_for_shares(const SeenSurface& surface, float matters) {
+    SharedLight& found = main_.found_at(surface.path.pixel);
     float total = 0.0f;
     for (const Arrival& arrival : arrivals_) {
         total += brightest(arrival.light);
-        pixel(path).unshadowed += arrival.light;
+        found.unshadowed += arrival.light;
     }
-    const float least = kMatters * total;
+    const float least = matters * total;
     for (const Arrival& arrival : arrivals_) {
-        if (brightest(arrival.light) >= least) ask(path, at, arrival, frame_.settings.shadow_samples);
+        const float share = brightest(arrival.light);
+        if (share < least) continue;
+        ask(surface, arrival, frame_.settings.shadow_samples * (share >= 4.0f * least ? 2 : 1));
     }
-    ask_one_below(path, at, least);
+    ask_one_below(surface, least);
 }
 
 // Neighbours choose others, so that together they ask for each as often as it counts.
-void TileTracer::ask_one_below(const PathRay& path, const ShadingPoint& at, float least) {
+void TileTracer::ask_one_below(const SeenSurface& surface, float least) {
     float total = 0.0f;
     for (const Arrival& arrival : arrivals_) {
         if (brightest(arrival.light) < least) total += brightest(arrival.light);
     }
     const auto number = static_cast<std::uint32_t>(sample_);
+    const PathRay& path = surface.path;
     float choice = samplers_[path.pixel].point(number, kChoicePurpose, path.depth).x * total;
     const Arrival* chosen = nullptr;
     for (const Arrival& arrival : arrivals_) {
@@ -76,23 +101,26 @@ void TileTracer::ask_one_below(const PathRay& path, const ShadingPoint& at, floa
         if (choice < 0.0f) break;
     }
     if (chosen != nullptr)
-        ask(path, at, {chosen->light * (total / brightest(chosen->light)), chosen->lamp}, 1);
+        ask(surface, {chosen->light * (total / brightest(chosen->light)), chosen->lamp}, 1);
 }
 
-void TileTracer::ask(const PathRay& path, const ShadingPoint& at, const Arrival& arrival, int count) {
+void TileTracer::ask(const SeenSurface& surface, const Arrival& arrival, int count) {
     const Arrival part{arrival.light / static_cast<float>(count), arrival.lamp};
     for (int i = 0; i < count; ++i) {
         const auto number = static_cast<std::uint32_t>(sample_ * count + i);
-        if (arrival.lamp == world::kNoIndex) {
-            ask_around(path, at, part.light, number);
+        if (arrival.lamp != world::kNoIndex) {
+            ask_lamp(surface, part, number);
+        } else if (frame_.settings.ambient_samples > 0) {
+            ask_around(surface, part.light, number);
         } else {
-            ask_lamp(path, at, part, number);
+            settle(surface.path, std::nullopt, part.light);
         }
     }
 }
 
-void TileTracer::ask_lamp(const PathRay& path, const ShadingPoint& at, const Arrival& arrival,
-                          std::uint32_t number) {
+void TileTracer::ask_lamp(const SeenSurface& surface, const Arrival& arrival, std::uint32_t number) {
+    const PathRay& path = surface.path;
+    const ShadingPoint& at = surface.at;
     const world::Lamp& lamp = frame_.view.level.lamps[arrival.lamp];
     const glm::vec3& position = at.surface.position;
     // What is seen in a mirror's glimmer is not shared; one look at the middle is better than noise.
@@ -108,15 +136,16 @@ void TileTracer::ask_lamp(const PathRay& path, const ShadingPoint& at, const Arr
         target = lamp.position;
     }
     if (is_below(target)) {
-        if (is_shared(path)) pixel(path).tried += arrival.light;
+        if (share_of(path) == Share::Neighbours) main_.found_at(path.pixel).tried += arrival.light;
         return;
     }
     settle(path, shadow_ray(lamp, frame_.view.prepared.bulbs[arrival.lamp], at.surface, target),
            arrival.light);
 }
 
-void TileTracer::ask_around(const PathRay& path, const ShadingPoint& at, const glm::vec3& light,
-                            std::uint32_t number) {
+void TileTracer::ask_around(const SeenSurface& surface, const glm::vec3& light, std::uint32_t number) {
+    const PathRay& path = surface.path;
+    const ShadingPoint& at = surface.at;
     const PixelSampler& sampler = samplers_[path.pixel];
     const glm::vec3& cell = frame_.view.prepared.ambient.grid.spacing;
     const float reach = 0.5f * std::min({cell.x, cell.y, cell.z});
@@ -130,14 +159,13 @@ void TileTracer::ask_around(const PathRay& path, const ShadingPoint& at, const g
 
 // Without a ray there is nothing that could stand in the way.
 void TileTracer::settle(const PathRay& path, const std::optional<rc::Ray>& ray, const glm::vec3& light) {
-    const bool shares = is_shared(path);
-    PixelLight& out = pixel(path);
-    if (shares) out.tried += light;
+    const Share share = share_of(path);
+    if (share == Share::Neighbours) main_.found_at(path.pixel).tried += light;
     if (ray) {
         shadow_rays_.push_back(*ray);
-        shadows_.push_back({light, path.pixel, shares});
+        shadows_.push_back({light, path.pixel, share});
     } else {
-        (shares ? out.arrived : out.clean) += light;
+        light_of(path.pixel, share) += light;
     }
 }
 

@@ -30,10 +30,17 @@ struct WhittedSettings {
         1;  // rays to an area lamp per sample; pixels next to each other share theirs (see below)
     int ambient_samples = 1;           // short rays that darken corners, per sample; 0: none
     float min_weight = 1.0f / 256.0f;  // rays that would count less are not followed
+    float texture_taps = 8.0f;         // at most, along the long side of a pixel's footprint
     bool uses_ambient = true;          // the baked indirect light
     // Neighbours in a 4x4 block look at different parts of a lamp and share what they saw where the surface goes on
     // (interleaved sampling with a discontinuity buffer; Keller and Heidrich 2001). Off: every pixel for itself.
     bool shares_samples = true;
+    // Works out the light of every fifth pixel first, and of those between only where their neighbours are of another
+    // surface or differ by more than `contrast` of themselves (Heaven7's adaptive subsampling; needs shares_samples).
+    // What is seen and its texture are exact in every pixel. What is smaller than five pixels and shows in the light
+    // alone, a thin shadow or a small highlight, may be missed.
+    bool is_adaptive = false;
+    float contrast = 0.15f;
 };
 
 // Fills film.radiance (of the size it has) and film.stats. `frame` turns the sampling pattern; a still uses 0.

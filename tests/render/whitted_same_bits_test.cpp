@@ -45,10 +45,14 @@ TEST(WhittedSameBits, OneTwoAndEightThreadsMakeOnePicture) {
         Studio studio;
         furnish(studio, 1.0f, glm::vec3(0.0f));
         studio.open({.spacing = 1.5f, .rays = 24}, jobs);
-        pictures.push_back(studio.picture(view(1.0f, glm::vec3(0.0f)), 96, 64, {}, 3, jobs));
+        for (const bool is_adaptive : {false, true}) {
+            render::WhittedSettings settings;
+            settings.is_adaptive = is_adaptive;
+            pictures.push_back(studio.picture(view(1.0f, glm::vec3(0.0f)), 96, 64, settings, 3, jobs));
+        }
     }
-    EXPECT_EQ(pictures[0].pixels, pictures[1].pixels);
-    EXPECT_EQ(pictures[0].pixels, pictures[2].pixels);
+    for (std::size_t i = 2; i < pictures.size(); ++i) EXPECT_EQ(pictures[i].pixels, pictures[i % 2].pixels) << i;
+    EXPECT_NE(pictures[0].pixels, pictures[1].pixels);
 }
 
 TEST(WhittedSameBits, EveryIsaMakesOnePicture) {
