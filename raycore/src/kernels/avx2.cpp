@@ -4,7 +4,9 @@
 #include "kernels/simd_avx2.h"
 #include "kernels/ray_setup.inl"
 #include "kernels/triangle.inl"
+#include "kernels/boxes.inl"
 #include "kernels/traverse.inl"
+#include "kernels/stream.inl"
 #include "kernels/sinks.inl"
 // clang-format on
 

@@ -39,19 +39,40 @@ static inline Quad with_sign(Quad a, QuadBits sign) {
 
 struct LocalRay {
     Quad origin;
+    Quad direction;
     Quad slope;      // direction per unit of |direction| on axis kz
     int kx, ky, kz;  // kz: the axis the ray runs along most
     float shear_x, shear_y;
-    float dz;
+    float dz, dz_abs;
     float at_kx, at_ky, at_kz;  // of the origin
 };
 
+// What depends on the signs of a direction alone. Bit a of an octant: the ray runs down axis a.
+struct alignas(64) Octant {
+    std::int32_t near_row[3], far_row[3];  // byte offsets into WideNode::bounds
+};
+
+struct Octants {
+    Octant of[8];
+    constexpr Octants() : of{} {
+        constexpr std::int32_t kRow = sizeof(float) * kWidth;
+        for (std::uint32_t o = 0; o < 8; ++o) {
+            for (int a = 0; a < 3; ++a) {
+                const bool is_down = (o >> a & 1) != 0;
+                of[o].near_row[a] = (2 * a + (is_down ? 1 : 0)) * kRow;
+                of[o].far_row[a] = (2 * a + (is_down ? 0 : 1)) * kRow;
+            }
+        }
+    }
+};
+inline constexpr Octants kOctants;
+
 // Distances along a box ray are |displacement on axis kz|: s = t * |dz|.
 struct BoxRay {
-    Float slope_rcp[3], near_at_zero[3], far_at_zero[3];
-    std::int32_t near_row[4], far_row[4];  // byte offsets into WideNode::bounds
+    float slope_rcp[3], near_at_zero[3], far_at_zero[3];
     float s_min, s_max;
     float dz_abs, s_pad;
+    const Octant* octant;
 };
 
 static inline float absolute(float a) {
@@ -80,15 +101,19 @@ static inline bool is_good(const RayIn& ray) {
 // `origin` and `direction` are read four wide. False when the direction has vanished or something has overflowed on
 // its way into the instance's frame: such a ray misses.
 static inline bool shear(const float* origin, const float* direction, LocalRay& ray) {
-    const float dx = absolute(direction[0]), dy = absolute(direction[1]), dz = absolute(direction[2]);
-    static constexpr int kNext[3] = {1, 2, 0};
-    const int of_two = dx > dy ? 0 : 1;  // no branches: which axis it is can not be predicted
-    ray.kz = larger(dx, dy) > dz ? of_two : 2;
-    ray.kx = kNext[ray.kz];
-    ray.ky = kNext[ray.kx];
-    ray.dz = direction[ray.kz];
+    static constexpr int kNext[3] = {1, 2, 0}, kAfterNext[3] = {2, 0, 1};
     ray.origin = load_quad(origin);
-    ray.slope = load_quad(direction) / quad_of(absolute(ray.dz));
+    ray.direction = load_quad(direction);
+    const Quad size = absolute(ray.direction);
+    const float dx = size[0], dy = size[1], dz = size[2];
+    const int of_two = dx > dy ? 0 : 1;  // no branches: which axis it is can not be predicted
+    const float larger_of_two = larger(dx, dy);
+    ray.kz = larger_of_two > dz ? of_two : 2;
+    ray.dz_abs = larger(larger_of_two, dz);
+    ray.kx = kNext[ray.kz];
+    ray.ky = kAfterNext[ray.kz];
+    ray.dz = direction[ray.kz];
+    ray.slope = ray.direction / quad_of(ray.dz_abs);
     ray.shear_x = direction[ray.kx] / ray.dz;
     ray.shear_y = direction[ray.ky] / ray.dz;
     ray.at_kx = origin[ray.kx];
@@ -117,22 +142,23 @@ static inline void aim_at_boxes(const LocalRay& ray, const TreeBounds& tree, flo
                      quad_of(tree.extra_pad + 0x1p-100f);
     // A slope below 2^-40 strays from the true ray by less than the term with 2^-39.
     const QuadBits sign = sign_of(ray.slope);
-    const Quad rcp = with_sign(quad_of(1.0f) / quad_max(steepness, quad_of(0x1p-40f)), sign);
+    Quad size = quad_max(absolute(ray.direction), quad_of(ray.dz_abs * 0x1p-40f)),
+         length = quad_of(ray.dz_abs);
+    if (ray.dz_abs < 0x1p-80f) {  // the product above may have vanished
+        size = quad_max(steepness, quad_of(0x1p-40f));
+        length = quad_of(1.0f);
+    }
+    const Quad rcp = with_sign(length / size, sign);
     const Quad towards = with_sign(pad, sign);
     const Quad near_at_zero = -(ray.origin + towards) * rcp, far_at_zero = -(ray.origin - towards) * rcp;
     for (int a = 0; a < 3; ++a) {
-        box.slope_rcp[a] = splat(rcp[a]);
-        box.near_at_zero[a] = splat(near_at_zero[a]);
-        box.far_at_zero[a] = splat(far_at_zero[a]);
+        box.slope_rcp[a] = rcp[a];
+        box.near_at_zero[a] = near_at_zero[a];
+        box.far_at_zero[a] = far_at_zero[a];
     }
-    constexpr std::int32_t kRow = sizeof(float) * kWidth;
-    const QuadBits backward = sign >> 31 & QuadBits{kRow, kRow, kRow, kRow};
-    const QuadBits near_row = QuadBits{0, 2 * kRow, 4 * kRow, 0} + backward;
-    const QuadBits far_row = QuadBits{kRow, 3 * kRow, 5 * kRow, 0} - backward;
-    __builtin_memcpy(box.near_row, &near_row, sizeof(near_row));
-    __builtin_memcpy(box.far_row, &far_row, sizeof(far_row));
+    box.octant = &kOctants.of[(sign[0] < 0 ? 1 : 0) | (sign[1] < 0 ? 2 : 0) | (sign[2] < 0 ? 4 : 0)];
 
-    box.dz_abs = absolute(ray.dz);
+    box.dz_abs = ray.dz_abs;
     box.s_pad = reach_z * 0x1p-21f + 0x1p-100f;
     box.s_min = t_min * box.dz_abs;
     box.s_min -= absolute(box.s_min) * 0x1p-21f + box.s_pad;

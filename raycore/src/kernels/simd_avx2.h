@@ -38,7 +38,43 @@ static inline Float about_fma(Float a, Float b, Float c) {
     return {_mm256_fmadd_ps(a.v, b.v, c.v)};
 }
 
+// Eight 32-bit words.
+struct Words {
+    __m256i v;
+};
+static inline Words load(const std::uint32_t* p) {
+    return {_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p))};
+}
+static inline void store(std::uint32_t* p, Words a) {
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(p), a.v);
+}
+static inline float least(__m256 a) {
+    __m128 m = _mm_min_ps(_mm256_castps256_ps128(a), _mm256_extractf128_ps(a, 1));
+    m = _mm_min_ps(m, _mm_movehl_ps(m, m));
+    m = _mm_min_ss(m, _mm_movehdup_ps(m));
+    return _mm_cvtss_f32(m);
+}
+
 #ifdef __AVX512VL__
+// The lanes of `bits` side by side, in their order; what follows them means nothing.
+static inline Float compress(Float a, std::uint32_t bits) {
+    return {_mm256_maskz_compress_ps(static_cast<__mmask8>(bits), a.v)};
+}
+static inline Words compress(Words a, std::uint32_t bits) {
+    return {_mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), a.v)};
+}
+// The lane of `bits` that holds the least, the lowest of equals; 8 when `bits` is 0.
+static inline std::uint32_t lane_of_least(Float a, std::uint32_t bits) {
+    const __mmask8 mask = static_cast<__mmask8>(bits);
+    const __m256 masked = _mm256_mask_mov_ps(_mm256_set1_ps(__builtin_inff()), mask, a.v);
+    const std::uint32_t lanes =
+        _mm256_mask_cmp_ps_mask(mask, masked, _mm256_set1_ps(least(masked)), _CMP_EQ_OQ);
+    return static_cast<std::uint32_t>(__builtin_ctz(lanes | 0x100u));
+}
+// Lanes where a shares a bit with b.
+static inline std::uint32_t common_bits(Words a, std::uint32_t b) {
+    return _mm256_test_epi32_mask(a.v, _mm256_set1_epi32(static_cast<int>(b)));
+}
 static inline std::uint32_t less_equal_bits(Float a, Float b) {
     return _mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ);
 }
@@ -48,6 +84,41 @@ static inline std::uint32_t opposite_bits(Float a, Float b) {
     return _mm256_mask_cmp_ps_mask(below, b.v, zero, _CMP_GT_OQ);
 }
 #else
+struct CompressLanes {
+    std::uint64_t of[256];
+    constexpr CompressLanes() : of{} {
+        for (std::uint32_t bits = 0; bits < 256; ++bits) {
+            int n = 0;
+            for (std::uint64_t lane = 0; lane < 8; ++lane)
+                if (bits >> lane & 1) of[bits] |= lane << (8 * n++);
+        }
+    }
+};
+inline constexpr CompressLanes kCompressLanes;
+
+static inline Words compressed_lanes(std::uint32_t bits) {
+    return {_mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(kCompressLanes.of[bits])))};
+}
+static inline Float compress(Float a, std::uint32_t bits) {
+    return {_mm256_permutevar8x32_ps(a.v, compressed_lanes(bits).v)};
+}
+static inline Words compress(Words a, std::uint32_t bits) {
+    return {_mm256_permutevar8x32_epi32(a.v, compressed_lanes(bits).v)};
+}
+static inline std::uint32_t lane_of_least(Float a, std::uint32_t bits) {
+    const __m256i lane_bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+    const __m256i chosen = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(bits)), lane_bit);
+    const __m256 mask = _mm256_castsi256_ps(_mm256_cmpeq_epi32(chosen, lane_bit));
+    const __m256 masked = _mm256_blendv_ps(_mm256_set1_ps(__builtin_inff()), a.v, mask);
+    const __m256 is_least = _mm256_cmp_ps(masked, _mm256_set1_ps(least(masked)), _CMP_EQ_OQ);
+    const std::uint32_t lanes = static_cast<std::uint32_t>(_mm256_movemask_ps(is_least)) & bits;
+    return static_cast<std::uint32_t>(__builtin_ctz(lanes | 0x100u));
+}
+static inline std::uint32_t common_bits(Words a, std::uint32_t b) {
+    const __m256i common = _mm256_and_si256(a.v, _mm256_set1_epi32(static_cast<int>(b)));
+    const __m256i none = _mm256_cmpeq_epi32(common, _mm256_setzero_si256());
+    return ~static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(none))) & 0xFFu;
+}
 static inline std::uint32_t less_equal_bits(Float a, Float b) {
     return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
 }

@@ -54,4 +54,38 @@ static inline std::uint32_t opposite_bits(Float a, Float b) {
     return bits;
 }
 
+struct Words {
+    std::uint32_t lane[8];
+};
+static inline Words load(const std::uint32_t* p) {
+    Words r;
+    for (int i = 0; i < 8; ++i) r.lane[i] = p[i];
+    return r;
+}
+static inline void store(std::uint32_t* p, Words a) {
+    for (int i = 0; i < 8; ++i) p[i] = a.lane[i];
+}
+// The lanes of `bits` side by side, in their order; what follows them means nothing.
+template <class Vector>
+static inline Vector compress(Vector a, std::uint32_t bits) {
+    Vector r = a;
+    for (int n = 0; bits != 0; bits &= bits - 1) r.lane[n++] = a.lane[__builtin_ctz(bits)];
+    return r;
+}
+// The lane of `bits` that holds the least, the lowest of equals; 8 when `bits` is 0.
+static inline std::uint32_t lane_of_least(Float a, std::uint32_t bits) {
+    std::uint32_t best = 8;
+    for (; bits != 0; bits &= bits - 1) {
+        const auto lane = std::uint32_t(__builtin_ctz(bits));
+        if (best == 8 || a.lane[lane] < a.lane[best]) best = lane;
+    }
+    return best;
+}
+// Lanes where a shares a bit with b.
+static inline std::uint32_t common_bits(Words a, std::uint32_t b) {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < 8; ++i) bits |= std::uint32_t{(a.lane[i] & b) != 0} << i;
+    return bits;
+}
+
 }  // namespace rc::kernel::RC_ISA

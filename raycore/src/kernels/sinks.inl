@@ -15,9 +15,15 @@ static inline HitOut to_hit(const Candidate& c) {
 
 // Keeps the nearest; equal t keeps the lower instance, then the lower primitive.
 struct ClosestSink {
+    static constexpr bool kNearestFirst = true;  // what is near comes first
     float t_min, t_limit;
     Candidate best;
 
+    void begin(const RayIn& ray) {
+        t_min = ray.t_min;
+        t_limit = finite_limit(ray.t_max);
+        best.primitive = best.instance = kNobody;
+    }
     bool take(const Candidate& c) {
         const bool lower =
             c.instance < best.instance || (c.instance == best.instance && c.primitive < best.primitive);
@@ -27,13 +33,21 @@ struct ClosestSink {
         }
         return false;
     }
+    bool is_done() const { return false; }
 };
 
 struct AnySink {
+    static constexpr bool kNearestFirst = false;
     float t_min, t_limit;
-    bool is_hit = false;
+    bool is_hit;
 
+    void begin(const RayIn& ray) {
+        t_min = ray.t_min;
+        t_limit = finite_limit(ray.t_max);
+        is_hit = false;
+    }
     bool take(const Candidate&) { return is_hit = true; }
+    bool is_done() const { return is_hit; }
 };
 
 // Keeps the nearest `capacity` in order. A primitive met twice (its pieces in two leaves) counts once.
@@ -62,28 +76,44 @@ struct CrossingsSink {
     }
 };
 
-static void closest(const SceneView& scene, const RayIn* rays, std::uint64_t n, std::uint32_t layers,
-                    HitOut* hits, Counts* counts) {
-    Counts sum;
-    for (std::uint64_t i = 0; i < n; ++i) {
-        ClosestSink sink{rays[i].t_min, finite_limit(rays[i].t_max), {}};
-        sink.best.primitive = sink.best.instance = kNobody;
-        if (is_good(rays[i])) walk_scene(scene, rays[i], layers, sink, sum);
+struct HitAnswers {
+    HitOut* hits;
+    void write(std::uint64_t i, const ClosestSink& sink) const {
         const bool miss = sink.best.primitive == kNobody;
         hits[i] = miss ? HitOut{__builtin_inff(), 0.0f, 0.0f, kNobody, kNobody} : to_hit(sink.best);
+    }
+};
+struct AnyAnswers {
+    std::uint8_t* is_hit;
+    void write(std::uint64_t i, const AnySink& sink) const { is_hit[i] = sink.is_hit; }
+};
+
+// One ray walks alone, a batch as a stream.
+template <class Sink, class Answers>
+static void ask(const SceneView& scene, const RayIn* rays, std::uint64_t n, std::uint32_t layers,
+                const Answers& answers, Counts* counts) {
+    Counts sum;
+    if (n > 1 && scene.root != kEmptyTree) {
+        sum = Stream<Sink, Answers>(scene, rays, n, layers, answers).run();
+    } else {
+        for (std::uint64_t i = 0; i < n; ++i) {
+            Sink sink;
+            sink.begin(rays[i]);
+            if (is_good(rays[i])) walk_scene(scene, rays[i], layers, sink, sum);
+            answers.write(i, sink);
+        }
     }
     if (counts != nullptr) *counts = sum;
 }
 
+static void closest(const SceneView& scene, const RayIn* rays, std::uint64_t n, std::uint32_t layers,
+                    HitOut* hits, Counts* counts) {
+    ask<ClosestSink, HitAnswers>(scene, rays, n, layers, {hits}, counts);
+}
+
 static void any(const SceneView& scene, const RayIn* rays, std::uint64_t n, std::uint32_t layers,
                 std::uint8_t* is_hit, Counts* counts) {
-    Counts sum;
-    for (std::uint64_t i = 0; i < n; ++i) {
-        AnySink sink{rays[i].t_min, finite_limit(rays[i].t_max)};
-        if (is_good(rays[i])) walk_scene(scene, rays[i], layers, sink, sum);
-        is_hit[i] = sink.is_hit;
-    }
-    if (counts != nullptr) *counts = sum;
+    ask<AnySink, AnyAnswers>(scene, rays, n, layers, {is_hit}, counts);
 }
 
 static std::uint32_t crossings(const SceneView& scene, const RayIn& ray, std::uint32_t layers, HitOut* out,

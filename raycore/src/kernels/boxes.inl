@@ -1,0 +1,97 @@
+// kernels/boxes.inl - a ray against the eight boxes of a node, and the stacks of what is still to be opened.
+
+namespace rc::kernel::RC_ISA {
+
+struct Entrances {
+    Float enter, leave;  // distances; a box is met where enter <= leave
+};
+
+static inline Entrances enter_boxes(const WideNode& node, const BoxRay& box) {
+    Entrances e{splat(box.s_min), splat(box.s_max)};
+    const char* bounds = reinterpret_cast<const char*>(node.bounds);
+    const auto row = [&](std::int32_t offset) {
+        return load(reinterpret_cast<const float*>(bounds + offset));
+    };
+    for (int a = 0; a < 3; ++a) {
+        const Float rcp = splat(box.slope_rcp[a]);
+        e.enter = max(about_fma(row(box.octant->near_row[a]), rcp, splat(box.near_at_zero[a])), e.enter);
+        e.leave = min(about_fma(row(box.octant->far_row[a]), rcp, splat(box.far_at_zero[a])), e.leave);
+    }
+    return e;
+}
+
+// Nearest on top; kEmptyTree at the bottom, nearer than anything, ends a walk.
+struct Stack {
+    std::uint32_t item[kStackSize + kWidth];  // next_below writes eight, whatever they mean
+    float near[kStackSize + kWidth];
+};
+
+static inline int empty_stack(Stack& stack) {
+    stack.item[0] = kEmptyTree;
+    stack.near[0] = -__builtin_inff();
+    return 1;
+}
+
+// `item` above the bottom; the stack's top.
+static inline int start_stack(Stack& stack, std::uint32_t item) {
+    stack.item[1] = item;
+    stack.near[1] = -__builtin_inff();
+    return empty_stack(stack) + 1;
+}
+
+// The next item that may hold something nearer than s_max.
+static inline std::uint32_t pop(const Stack& stack, int& top, float s_max) {
+    do --top;
+    while (stack.near[top] > s_max);
+    return stack.item[top];
+}
+
+// The next item after a node: the nearest of its children that are met (kNearestFirst; otherwise any), or what lies on
+// the stack when there is none. The other children are packed onto the stack, however many they are: all without a
+// branch. The nearest alone is worth finding: with the others in no order a ray opens 2 % more nodes.
+template <bool kNearestFirst>
+static inline std::uint32_t next_below(const WideNode& node, const Entrances& e, std::uint32_t met,
+                                       Stack& stack, int& top) {
+    const std::uint32_t first =
+        kNearestFirst ? lane_of_least(e.enter, met) : static_cast<std::uint32_t>(__builtin_ctz(met | 0x100u));
+    const std::uint32_t others = met & ~(1u << first);
+    const std::uint32_t below = node.child[first & (kWidth - 1)], waiting = stack.item[top - 1];
+    const Words child = load(node.child);
+    const int old_top = top;
+    const std::uint32_t is_none =
+        std::uint32_t(std::int32_t(met - 1) >> 31);  // a mask: compilers would branch
+    top += __builtin_popcount(others) + int(is_none);
+    store(stack.item + old_top, compress(child, others));
+    store(stack.near + old_top, compress(e.enter, others));
+    return below ^ ((below ^ waiting) & is_none);
+}
+
+// Takes everything beyond s_max off the stack.
+static inline int trim(Stack& stack, int top, float s_max) {
+    int kept = 1;
+    for (int i = 1; i < top; i += kWidth) {
+        const Float near = load(stack.near + i);
+        const Words item = load(stack.item + i);
+        const std::uint32_t valid = top - i >= kWidth ? 0xFFu : (1u << (top - i)) - 1;
+        const std::uint32_t keep = less_equal_bits(near, splat(s_max)) & valid;
+        store(stack.near + kept, compress(near, keep));
+        store(stack.item + kept, compress(item, keep));
+        kept += __builtin_popcount(keep);
+    }
+    return kept;
+}
+
+// Asks for an item's memory before it is its turn: nodes and leaves of a large scene are a cache miss each. No branch
+// on what it is: a wrong guess would cost more than the miss.
+template <int kLines>
+static inline void prefetch(const WideNode* nodes, const float* leaves, std::uint32_t item) {
+    const std::uint64_t node =
+        reinterpret_cast<std::uint64_t>(nodes) + std::uint64_t{item} * sizeof(WideNode);
+    const std::uint64_t leaf = reinterpret_cast<std::uint64_t>(leaves) +
+                               std::uint64_t{item & kLeafFirstMask} * (kWordsPerTriangle * sizeof(float));
+    const std::uint64_t is_leaf = 0 - std::uint64_t{item >> 31};
+    const char* at = reinterpret_cast<const char*>(node ^ ((node ^ leaf) & is_leaf));
+    for (int line = 0; line < kLines; ++line) __builtin_prefetch(at + 64 * line);
+}
+
+}  // namespace rc::kernel::RC_ISA
