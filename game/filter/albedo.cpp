@@ -29,14 +29,44 @@ static HWY_INLINE Floats light_or_black(const float* from, std::size_t x) {
     return from != nullptr ? load(from + x) : hn::Zero(F());
 }
 
+struct Colour {
+    Floats r, g, b;
+};
+
+// Rounding may leave a little less than no green.
+static HWY_INLINE Floats green_of(Floats r, Floats y, Floats b) {
+    const Floats others = hn::Add(hn::Mul(splat(0.2126f), r), hn::Mul(splat(0.0722f), b));
+    return positive(hn::Mul(hn::Sub(y, others), splat(1.0f / 0.7152f)));
+}
+
+static HWY_INLINE Colour part_at(const float* const from[3], std::size_t x) {
+    const Floats r = light_or_black(from[0], x), y = light_or_black(from[1], x), b = light_or_black(from[2], x);
+    return {r, green_of(r, y, b), b};
+}
+
+static HWY_INLINE Floats on_albedo(const float* albedo, std::size_t x, Floats light) {
+    return albedo != nullptr ? hn::Mul(light, usable_albedo(albedo + x)) : light;
+}
+
 static void remodulate_row(const RemodulateRow& row) {
     for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            Floats light = hn::Add(light_or_black(row.parts[0][c], x), light_or_black(row.parts[1][c], x));
-            if (row.albedo[c] != nullptr) light = hn::Mul(light, usable_albedo(row.albedo[c] + x));
-            light = hn::Add(light, light_or_black(row.parts[2][c], x));
-            store(hn::Add(light, light_or_black(row.parts[3][c], x)), row.out[c] + x);
-        }
+        const Colour direct = part_at(row.parts[0], x), indirect = part_at(row.parts[1], x);
+        const Colour specular = part_at(row.parts[2], x);
+        const Floats r = hn::Add(on_albedo(row.albedo[0], x, hn::Add(direct.r, indirect.r)), specular.r);
+        const Floats g = hn::Add(on_albedo(row.albedo[1], x, hn::Add(direct.g, indirect.g)), specular.g);
+        const Floats b = hn::Add(on_albedo(row.albedo[2], x, hn::Add(direct.b, indirect.b)), specular.b);
+        store(hn::Add(r, light_or_black(row.parts[3][0], x)), row.out[0] + x);
+        store(hn::Add(g, light_or_black(row.parts[3][1], x)), row.out[1] + x);
+        store(hn::Add(b, light_or_black(row.parts[3][2], x)), row.out[2] + x);
+    }
+}
+
+static void green_row(const GreenRow& row) {
+    for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) {
+        const Floats r = load(row.from[0] + x), middle = load(row.from[1] + x), b = load(row.from[2] + x);
+        store(r, row.to[0] + x);
+        store(row.to_luminance ? luminance(r, middle, b) : green_of(r, middle, b), row.to[1] + x);
+        store(b, row.to[2] + x);
     }
 }
 
@@ -48,6 +78,31 @@ namespace gh::filter {
 
 HWY_EXPORT(demodulate_row);
 HWY_EXPORT(remodulate_row);
+HWY_EXPORT(green_row);
+
+namespace {
+
+void rewrite_green(const Plane3& from, bool to_luminance, const Jobs& jobs, Plane3& to) {
+    to.fit(from.width(), from.height());
+    run_rows(from.height(), jobs, [&](int y) {
+        GreenRow row{};
+        point_to(row.from, from, y);
+        row.width = from.width();
+        row.to_luminance = to_luminance;
+        point_to(row.to, to, y);
+        HWY_DYNAMIC_DISPATCH(green_row)(row);
+    });
+}
+
+}  // namespace
+
+void luma_from(const Plane3& colour, const Jobs& jobs, Luma3& out) {
+    rewrite_green(colour, true, jobs, out);
+}
+
+void colour_from(const Luma3& luma, const Jobs& jobs, Plane3& out) {
+    rewrite_green(luma, false, jobs, out);
+}
 
 void demodulate(const Plane3& light, const Plane3& albedo, const Jobs& jobs, Plane3& out) {
     if (albedo.empty()) {

@@ -10,8 +10,15 @@ struct DemodulateRow {
     float* out[3];
 };
 
+struct GreenRow {
+    const float* from[3];
+    int width;
+    bool to_luminance;
+    float* to[3];
+};
+
 struct RemodulateRow {
-    const float* parts[4][3];  // direct, indirect, specular, clean; null: black
+    const float* parts[4][3];  // direct, indirect, specular: red, luminance, blue; clean: colour; null: black
     const float* albedo[3];    // null: 1
     int width;
     float* out[3];

@@ -62,7 +62,7 @@ static void settle_row(const SettleRow& row) {
         const Floats square = hn::Mul(five_columns(row.squares, x, row.width), splat(1.0f / 25.0f));
         const Floats spread =
             hn::Mul(hn::Sqrt(positive(hn::Sub(square, hn::Mul(mean, mean)))), splat(row.sigmas));
-        const Floats old = load(row.luminance + x), length = load(row.length + x);
+        const Floats old = load(row.light[1] + x), length = load(row.length + x);
         // A mean is no surer than its own samples make it; rounding of the sums is no change.
         const Floats own = positive(hn::Sub(load(row.square + x), hn::Mul(old, old)));
         const Floats unsure = hn::Mul(hn::Sqrt(hn::Div(own, length)), splat(row.sigmas));
@@ -77,7 +77,6 @@ static void settle_row(const SettleRow& row) {
         // The colour keeps its hue. What of the mean was wrong is forgotten: a mean twice too bright starts anew.
         const Floats factor = choose(moved, positive(hn::Div(drawn, old)), one);
         for (float* plane : row.light) store(hn::Mul(load(plane + x), factor), plane + x);
-        store(choose(moved, positive(drawn), old), row.luminance + x);
         store(hn::Mul(load(row.square + x), hn::Mul(factor, factor)), row.square + x);
         const Floats kept = choose(hn::Gt(factor, one), hn::Div(one, factor), factor);
         const Floats left = hn::Mul(length, hn::Mul(kept, kept));
@@ -156,7 +155,7 @@ void gradients(const Reshaded& samples, int width, int height, const Jobs& jobs,
 
 void settle(const SettleSettings& settings, const Jobs& jobs, Accumulated& signal, Plane scratch[2]) {
     EXPECTS(settings.sigmas > 0.0f);
-    const int width = signal.luminance.width(), height = signal.luminance.height();
+    const int width = signal.light.width(), height = signal.light.height();
     scratch[0].fit(width, height);
     scratch[1].fit(width, height);
     run_rows(height, jobs, [&](int y) {
@@ -175,10 +174,8 @@ void settle(const SettleSettings& settings, const Jobs& jobs, Accumulated& signa
         row.least_length = 2.0f;
         row.sigmas = settings.sigmas;
         point_to(row.light, signal.light, y);
-        row.luminance = signal.luminance.row(y);
         row.square = signal.square.row(y);
         row.length = signal.length.row(y);
-        row.fast = signal.fast.row(y);
         HWY_DYNAMIC_DISPATCH(settle_row)(row);
     });
 }

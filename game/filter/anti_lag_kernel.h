@@ -21,8 +21,8 @@ struct SettleRow {
     int width;
     float least_length;  // a shorter mean is left alone
     float sigmas;
-    float* light[3];
-    float *luminance, *square, *length, *fast;
+    float* light[3];  // red, luminance, blue
+    float *square, *length;
 };
 
 }  // namespace gh::filter

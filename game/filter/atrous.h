@@ -5,33 +5,42 @@
 // measured in standard deviations of the pixel's noise, its luminance differ. Variance is filtered along, so each level
 // is surer of what it sees. Where there is no noise, nothing is blurred.
 //
-// Two signals on the same surfaces are done together: what geometry says is worked out once.
-//
-// Cost      per level about 15 cycles a pixel for one signal, 25 for two (3x3); 5x5 three times that. Two sets of planes
-//           are read and written alternately; levels are apart by a barrier.
+// Cost      per level about 15 cycles a pixel with AVX-512 (3x3), twice that for 5x5. Levels are apart by a barrier.
+//           (Two signals at once, with the geometry worked out once for both, took as long as one after the other:
+//           twenty streams of memory instead of twelve.)
 // Threads   rows over all threads. Same bits for any number of them and any instruction set.
 // Energy    a weighted mean: a constant stays that constant to 1e-6; between equal surfaces nothing is lost.
-// Bad input a pixel whose light is not finite counts for nobody and takes the mean of its neighbours; one whose
-//           geometry is not finite keeps its light. A variance that is not above 0 is 0.
+// Bad input light and variance are finite and variance is not below 0, as mend(), accumulate() and
+//           estimate_variance() leave them; make_signal() sees to it for anybody else's. Guides are always fine.
 #pragma once
 
 #include "base/jobs.h"
 #include "filter/guides.h"
 #include "filter/plane.h"
 
-#include <span>
-
 namespace gh::filter {
 
 // Light to be smoothed and what is known of it.
 struct Signal {
-    Plane3 light;
-    Plane luminance;  // of `light`; atrous() keeps it up
-    Plane variance;   // of luminance, as an estimate of the light there
-    Plane stiffness;  // how much sooner this signal stops: 1 / (4 * pixels at which it falls to 1/e). Empty: 0
+    Luma3 light;
+    Plane variance;  // of its luminance, as an estimate of the light there
 
     void fit(int width, int height);
 };
+
+// The same, wherever it lives.
+struct SignalView {
+    const Luma3* light;
+    const Plane* variance;
+    // How much sooner this signal stops: 1 / (4 * pixels at which it falls to 1/e). Null or empty: 0.
+    const Plane* stiffness = nullptr;
+};
+[[nodiscard]] inline SignalView view_of(const Signal& signal) {
+    return {&signal.light, &signal.variance};
+}
+
+// From light in red, green and blue. What is not finite is mended by its neighbours.
+void make_signal(const Plane3& light, const Plane& variance, const Jobs& jobs, Signal& signal);
 
 struct AtrousSettings {
     int levels = 5;  // reaches 2^levels pixels either way
@@ -39,11 +48,12 @@ struct AtrousSettings {
     float luminance_sigmas = 4.0f;  // by so many standard deviations light may differ (sigma_l of the paper)
 };
 
-// One level, from `in` to `out` (made to fit; stiffness is not copied). One or two signals of the guides' size.
-void atrous_level(const Guides& guides, std::span<const Signal* const> in, const AtrousSettings& settings, int level,
-                  const Jobs& jobs, std::span<Signal* const> out);
+// One level, from `in` to `out` (made to fit). Of the guides' size.
+void atrous_level(const Guides& guides, const SignalView& in, const AtrousSettings& settings, int level,
+                  const Jobs& jobs, Signal& out);
 
-// All levels of one signal; `scratch` holds every other level.
-void atrous(const Guides& guides, const AtrousSettings& settings, const Jobs& jobs, Signal& signal, Signal& scratch);
+// All levels (at least one) of one signal, by turns into the two of `scratch`; returns the one that holds the result.
+const Signal& atrous(const Guides& guides, const SignalView& in, const AtrousSettings& settings, const Jobs& jobs,
+                     Signal scratch[2]);
 
 }  // namespace gh::filter

@@ -7,20 +7,14 @@
 
 namespace gh::filter {
 
-struct AtrousSignal {
-    const float* light[3];
-    const float* luminance;
+struct AtrousRow {
+    GuideRows guides;
+    const float* light[3];  // red, luminance, blue
     const float* variance;
     const float* stiffness;  // may be null
     float* out_light[3];
-    float* out_luminance;
     float* out_variance;
-};
-
-struct AtrousRow {
-    GuideRows guides;
-    AtrousSignal signal[2];
-    int signals, radius, step;
+    int radius, step;
     int width, height, y;
     std::ptrdiff_t stride;  // of every plane
     float luminance_sigmas;

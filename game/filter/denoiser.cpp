@@ -10,17 +10,10 @@ namespace gh::filter {
 
 namespace {
 
-// The means of one and the next level trade places; what belongs to both stays.
-void swap_levels(Signal& a, Signal& b) {
-    std::swap(a.light, b.light);
-    std::swap(a.luminance, b.luminance);
-    std::swap(a.variance, b.variance);
-}
-
 // How far light off gloss may be blurred, in pixels: the lobe of a surface seen from a few metres widens about so.
 float stiffness_of(float roughness) {
     const float pixels = 48.0f * roughness * roughness;
-    return 0.25f / std::max(pixels, 1e-3f);
+    return pixels > 1e-3f ? 0.25f / pixels : 250.0f;  // NaN stays sharp
 }
 
 void make_stiffness(const Plane& roughness, const Jobs& jobs, Plane& stiffness) {
@@ -44,48 +37,22 @@ void Denoiser::forget() {
     *this = Denoiser();
 }
 
-void Denoiser::accumulate_track(const Plane3& light, const Plane& change, const Taps& taps, const Step& step,
+void Denoiser::accumulate_track(const Plane3& light, const Plane& change, const Plane3* albedo, const Step& step,
                                 Track& track) {
-    accumulate(light, change, taps, track.history, step.settings.temporal, step.jobs, track.mean);
+    Plane3& samples = track.scratch[0].light;
+    mend(light, step.settings.mend, step.jobs, samples);
+    if (albedo != nullptr) demodulate(samples, *albedo, step.jobs, samples);
+    std::swap(track.before, track.mean);
+    accumulate(samples, change, taps_, track.before, step.settings.temporal, step.jobs, track.mean);
     if (step.settings.settles) settle(step.settings.settle, step.jobs, track.mean, sums_);
-    remember(track.mean, step.jobs, track.history);
-    estimate_variance(track.mean, guides_, step.jobs, track.signal.variance);
-    std::swap(track.signal.light, track.mean.light);
-    std::swap(track.signal.luminance, track.mean.luminance);
+    estimate_variance(track.mean, guides_, step.jobs, track.variance);
+    track.smooth = &track.mean.light;
 }
 
-void Denoiser::smooth_diffuse(const Step& step, bool has_direct, bool has_indirect) {
-    const int direct_levels = has_direct ? step.settings.direct.levels : 0;
-    const int indirect_levels = has_indirect ? step.settings.indirect.levels : 0;
-    for (int level = 0; level < std::max(direct_levels, indirect_levels); ++level) {
-        const bool both = level < std::min(direct_levels, indirect_levels) &&
-                          step.settings.direct.radius == step.settings.indirect.radius &&
-                          step.settings.direct.luminance_sigmas == step.settings.indirect.luminance_sigmas;
-        if (both) {
-            const Signal* in[] = {&direct_.signal, &indirect_.signal};
-            Signal* out[] = {&direct_.scratch, &indirect_.scratch};
-            atrous_level(guides_, in, step.settings.direct, level, step.jobs, out);
-        }
-        const auto one = [&](Track& track, const AtrousSettings& settings, int levels) {
-            if (level >= levels) return;
-            const Signal* in[] = {&track.signal};
-            Signal* out[] = {&track.scratch};
-            if (!both) atrous_level(guides_, in, settings, level, step.jobs, out);
-            swap_levels(track.signal, track.scratch);
-        };
-        one(direct_, step.settings.direct, direct_levels);
-        one(indirect_, step.settings.indirect, indirect_levels);
-    }
-}
-
-void Denoiser::smooth_specular(const Step& step) {
-    Plane& stiffness = specular_.signal.stiffness;
-    if (step.surfaces.roughness.empty()) {
-        stiffness = Plane();
-    } else {
-        make_stiffness(step.surfaces.roughness, step.jobs, stiffness);
-    }
-    atrous(guides_, step.settings.specular, step.jobs, specular_.signal, specular_.scratch);
+void Denoiser::smooth_track(const AtrousSettings& settings, const Plane* stiffness, const Step& step, Track& track) {
+    if (settings.levels == 0) return;
+    const SignalView view{&track.mean.light, &track.variance, stiffness};
+    track.smooth = &atrous(guides_, view, settings, step.jobs, track.scratch).light;
 }
 
 void Denoiser::denoise(const GBuffer& surfaces, const Light& light, const DenoiseSettings& settings, const Jobs& jobs,
@@ -97,37 +64,31 @@ void Denoiser::denoise(const GBuffer& surfaces, const Light& light, const Denois
     if (!has_direct) direct_ = {};
     if (!has_indirect) indirect_ = {};
     if (!has_specular) specular_ = {};
+
     make_guides(surfaces, jobs, guides_);
-
-    const auto prepare = [&](const Plane3& from, Track& track, bool has_albedo) {
-        mend(from, settings.mend, jobs, track.mended);
-        if (has_albedo) demodulate(track.mended, surfaces.albedo, jobs, track.mended);
-    };
-    if (has_direct || has_indirect) {
-        reproject(surfaces, seen_, Motion::OfSurface, jobs, taps_);
-    }
-    if (has_direct) {
-        prepare(light.direct, direct_, true);
-        accumulate_track(direct_.mended, light.direct_change, taps_, step, direct_);
-    }
-    if (has_indirect) {
-        prepare(light.indirect, indirect_, true);
-        accumulate_track(indirect_.mended, light.indirect_change, taps_, step, indirect_);
-    }
+    if (has_direct || has_indirect) reproject(surfaces, guides_, seen_, Motion::OfSurface, jobs, taps_);
+    if (has_direct) accumulate_track(light.direct, light.direct_change, &surfaces.albedo, step, direct_);
+    if (has_indirect) accumulate_track(light.indirect, light.indirect_change, &surfaces.albedo, step, indirect_);
     if (has_specular) {
-        prepare(light.specular, specular_, false);
-        reproject(surfaces, seen_, Motion::OfReflection, jobs, reflected_taps_);
-        accumulate_track(specular_.mended, light.direct_change, reflected_taps_, step, specular_);
+        reproject(surfaces, guides_, seen_, Motion::OfReflection, jobs, taps_);
+        accumulate_track(light.specular, light.direct_change, nullptr, step, specular_);
     }
-    remember(surfaces, jobs, seen_);
-
-    smooth_diffuse(step, has_direct, has_indirect);
-    if (has_specular) smooth_specular(step);
-    remodulate({.direct = has_direct ? &direct_.signal.light : nullptr,
-                .indirect = has_indirect ? &indirect_.signal.light : nullptr,
-                .specular = has_specular ? &specular_.signal.light : nullptr,
+    if (has_direct) smooth_track(settings.direct, nullptr, step, direct_);
+    if (has_indirect) smooth_track(settings.indirect, nullptr, step, indirect_);
+    if (has_specular) {
+        const bool varies = !surfaces.roughness.empty();
+        if (varies) make_stiffness(surfaces.roughness, jobs, stiffness_);
+        smooth_track(settings.specular, varies ? &stiffness_ : nullptr, step, specular_);
+    }
+    remodulate({.direct = direct_.smooth,
+                .indirect = indirect_.smooth,
+                .specular = specular_.smooth,
                 .clean = &light.clean},
                surfaces.albedo, jobs, out);
+
+    seen_.lens = surfaces.lens;
+    seen_.part = surfaces.part;
+    std::swap(seen_.guides, guides_);
 }
 
 }  // namespace gh::filter

@@ -29,9 +29,10 @@ struct DenoiseSettings {
     MendSettings mend;
     TemporalSettings temporal;
     SettleSettings settle;
-    AtrousSettings direct{.levels = 4};    // 3x3: the shadow of a small lamp is small
-    AtrousSettings indirect{.levels = 5};  // levels of 0: not smoothed over the picture
-    AtrousSettings specular{.levels = 3};
+    // Levels of 0: not smoothed over the picture.
+    AtrousSettings direct{.levels = 3};
+    AtrousSettings indirect{.levels = 4};
+    AtrousSettings specular{.levels = 2};
     bool settles = true;  // whether unknown changes are looked for
 };
 
@@ -50,22 +51,23 @@ class Denoiser {
   private:
     // One of the lights through the frames.
     struct Track {
-        Plane3 mended;
-        Accumulated mean;
-        History history;
-        Signal signal, scratch;
+        Accumulated mean, before;
+        Plane variance;
+        Signal scratch[2];  // the a-trous levels by turns; before them, the samples as they are mended
+        const Luma3* smooth = nullptr;  // what is shown
     };
     struct Step;
 
-    void accumulate_track(const Plane3& light, const Plane& change, const Taps& taps, const Step& step, Track& track);
-    void smooth_diffuse(const Step& step, bool has_direct, bool has_indirect);
-    void smooth_specular(const Step& step);
+    void accumulate_track(const Plane3& light, const Plane& change, const Plane3* albedo, const Step& step,
+                          Track& track);
+    void smooth_track(const AtrousSettings& atrous, const Plane* stiffness, const Step& step, Track& track);
 
     Guides guides_;
     SeenSurfaces seen_;
-    Taps taps_, reflected_taps_;
+    Taps taps_;
     Track direct_, indirect_, specular_;
     Plane sums_[2];
+    Plane stiffness_;
 };
 
 }  // namespace gh::filter

@@ -39,15 +39,20 @@ static HWY_INLINE Surface surface_at(const GuideRows& guides, std::size_t x, flo
     return s;
 }
 
-// The argument of falloff() for the neighbour `dx` to the right and `dy` down, which begins at `at` = x + dx +
-// dy * stride. NaN where either surface is.
-static HWY_INLINE Floats apart(const Surface& s, const GuideRows& guides, std::ptrdiff_t at, float dx, float dy) {
-    const Floats foretold =
-        hn::Add(s.nearness, hn::Add(hn::Mul(s.slope_x, splat(dx)), hn::Mul(s.slope_y, splat(dy))));
+// The argument of falloff() for the neighbour that begins at `at`, where the surface foretells nearness `foretold`.
+static HWY_INLINE Floats apart(const Surface& s, const GuideRows& guides, std::ptrdiff_t at, Floats foretold) {
     const Floats off = hn::Mul(hn::Abs(hn::Sub(load(guides.nearness + at), foretold)), s.scale);
     const Floats cosine =
         dot(s.nx, s.ny, s.nz, load(guides.normal[0] + at), load(guides.normal[1] + at), load(guides.normal[2] + at));
     return hn::Add(off, hn::Abs(hn::Sub(splat(0.25f * kNormalSharpness), cosine)));
+}
+
+// What the surface foretells `dx` pixels to the right of `base`, itself foretold in some row.
+static HWY_INLINE Floats beside(const Surface& s, Floats base, int dx) {
+    return hn::Add(base, hn::Mul(s.slope_x, splat(static_cast<float>(dx))));
+}
+static HWY_INLINE Floats below(const Surface& s, int dy) {
+    return hn::Add(s.nearness, hn::Mul(s.slope_y, splat(static_cast<float>(dy))));
 }
 
 }  // namespace gh::filter::HWY_NAMESPACE

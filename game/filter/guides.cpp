@@ -17,7 +17,7 @@ static HWY_INLINE Floats along(const float* axis, Floats x, Floats y, Floats z) 
 }
 
 static void guides_row(const GuidesRow& row) {
-    const Floats zero = hn::Zero(F()), one = splat(1.0f);
+    const Floats one = splat(1.0f);
     for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) {
         const Floats dx = hn::Sub(load(row.position[0] + x), splat(row.eye[0]));
         const Floats dy = hn::Sub(load(row.position[1] + x), splat(row.eye[1]));
@@ -33,18 +33,24 @@ static void guides_row(const GuidesRow& row) {
                                         hn::Mul(splat(row.y), slope_y));
         // The point lies within its pixel, so a plane that says much else is seen edge on: it foretells nothing.
         const Floats doubt = hn::Mul(splat(0.5f), direct);
-        const Lanes sound = hn::Lt(hn::Abs(hn::Sub(by_plane, direct)), doubt);
+        const Lanes sound = hn::And(hn::Lt(hn::Abs(hn::Sub(by_plane, direct)), doubt),
+                                    hn::And(is_finite(slope_x), is_finite(slope_y)));
 
         const auto sky = hn::Set(I(), static_cast<std::int32_t>(kNoSurface));
         const Ints part = hn::LoadU(I(), reinterpret_cast<const std::int32_t*>(row.part) + x);
-        const Lanes surface = hn::RebindMask(F(), hn::Ne(part, sky));
+        const Floats sx = load(row.smooth[0] + x), sy = load(row.smooth[1] + x), sz = load(row.smooth[2] + x);
+        const Floats length = dot(sx, sy, sz, sx, sy, sz);
+        // Written so that a NaN anywhere is a no: behind this door nobody looks again.
+        const Lanes usable = hn::And(hn::And(hn::Gt(direct, hn::Zero(F())), is_finite(direct)),
+                                     hn::And(hn::Gt(length, splat(0.5f)), hn::Lt(length, splat(2.0f))));
+        const Lanes surface = hn::And(usable, hn::RebindMask(F(), hn::Ne(part, sky)));
+        const Lanes foretells = hn::And(surface, sound);
         store(zero_unless(surface, choose(sound, by_plane, direct)), row.nearness + x);
-        store(zero_unless(hn::And(surface, sound), slope_x), row.slope_x + x);
-        store(zero_unless(hn::And(surface, sound), slope_y), row.slope_y + x);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Floats n = load(row.smooth[i] + x);
-            store(choose(surface, n, zero), row.normal[i] + x);
-        }
+        store(zero_unless(foretells, slope_x), row.slope_x + x);
+        store(zero_unless(foretells, slope_y), row.slope_y + x);
+        store(zero_unless(surface, sx), row.normal[0] + x);
+        store(zero_unless(surface, sy), row.normal[1] + x);
+        store(zero_unless(surface, sz), row.normal[2] + x);
     }
 }
 

@@ -6,7 +6,8 @@
 //
 // Cost      about 5 cycles a pixel; 6 planes.
 // Same bits for any number of threads and any instruction set.
-// Bad input a pixel whose geometry is not finite has no neighbours.
+// Bad input a pixel whose depth is not above 0 or whose normal is not about unit, NaN among them, counts as sky: it has no
+//           neighbours. All planes come out finite; nobody behind this door checks again.
 #pragma once
 
 #include "base/jobs.h"

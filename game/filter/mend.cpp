@@ -21,7 +21,7 @@ static HWY_INLINE Colour colour_at(const MendRow& row, std::ptrdiff_t at) {
 }
 
 static HWY_INLINE Lanes is_sound(Floats v) {
-    return hn::And(hn::Ge(v, hn::Zero(F())), hn::Le(v, splat(3.402823466e38f)));
+    return hn::And(hn::Ge(v, hn::Zero(F())), hn::Le(v, splat(kInfiniteLight)));
 }
 
 static HWY_INLINE Lanes is_sound(const Colour& c) {

@@ -6,13 +6,17 @@
 //
 // Cost      1 cycle a pixel; 30 for vectors that hold something to mend.
 // Same bits for any number of threads and any instruction set.
-// Bad input a pixel with a NaN, an infinity or a negative number becomes the mean of its sound neighbours, black if none.
+// Bad input a pixel with a NaN, a negative number or one beyond kInfiniteLight becomes the mean of its sound neighbours,
+//           black if none. Nobody behind this door checks again.
 #pragma once
 
 #include "base/jobs.h"
 #include "filter/plane.h"
 
 namespace gh::filter {
+
+// So bright that sums over a neighbourhood might overflow.
+inline constexpr float kInfiniteLight = 1e30f;
 
 struct MendSettings {
     float floor = 8.0f;    // luminance; say four times what shows as white

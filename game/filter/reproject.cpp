@@ -5,28 +5,21 @@
 
 #include <glm/geometric.hpp>
 
-#include <bit>
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "filter/reproject.cpp"
 #include <hwy/foreach_target.h>
 // foreach_target must come before what is compiled once per target.
 #include "filter/simd-inl.h"
+#include "filter/taps-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gh::filter::HWY_NAMESPACE {
 
-constexpr std::size_t kChunk = 64;                 // pixels done at a time
-constexpr float kPlaneTolerance = 0.01f;           // distance from the plane, as a share of the distance to the eye
-constexpr float kNormalTolerance = 0.906307787f;   // cosine of 25 degrees
-constexpr float kNowhere = 2.0f;
-constexpr float kLeastWeight = 0.01f;              // of four taps together: less is mere chance
-
-// Rows are done to the end of their last vector, however wide the picture.
-static HWY_INLINE std::size_t chunk_end(int width, std::size_t begin) {
-    const std::size_t padded = (static_cast<std::size_t>(width) + 15) / 16 * 16;
-    return padded - begin < kChunk ? padded - begin : kChunk;
-}
+constexpr float kNearnessTolerance = 0.01f;       // off the plane, as a share of the nearness
+constexpr float kNormalTolerance = 0.906307787f;  // cosine of 25 degrees
+constexpr float kLeastWeight = 0.01f;             // of four taps together: less is mere chance
+// Of a pixel. Rounding noise about a whole pixel would else blur a little and tear neighbours apart.
+constexpr float kPlaceSteps = 256.0f;
 
 struct Vector {
     Floats x, y, z;
@@ -40,17 +33,23 @@ static HWY_INLINE Vector minus(const Vector& p, const float* q) {
     return {hn::Sub(p.x, splat(q[0])), hn::Sub(p.y, splat(q[1])), hn::Sub(p.z, splat(q[2]))};
 }
 
+static HWY_INLINE Vector plus(const Vector& a, const Vector& b) {
+    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+
 static HWY_INLINE Floats along(const float* axis, const Vector& d) {
     return dot(splat(axis[0]), splat(axis[1]), splat(axis[2]), d.x, d.y, d.z);
 }
 
-// Picture points; returns which of them lie before the eye.
-static HWY_INLINE Lanes project(const Projector& eye, const Vector& p, Floats& x, Floats& y) {
+struct PicturePoint {
+    Floats x, y;
+    Floats nearness;
+};
+
+static HWY_INLINE PicturePoint project(const Projector& eye, const Vector& p) {
     const Vector d = minus(p, eye.eye);
-    const Floats depth = along(eye.ahead, d);
-    x = hn::Div(along(eye.across, d), depth);
-    y = hn::Div(along(eye.down, d), depth);
-    return hn::Gt(depth, hn::Zero(F()));
+    const Floats nearness = hn::Div(splat(1.0f), along(eye.ahead, d));
+    return {hn::Mul(along(eye.across, d), nearness), hn::Mul(along(eye.down, d), nearness), nearness};
 }
 
 // How far behind the surface what it reflects seems to be: the whole way for a mirror, none for a rough surface.
@@ -58,145 +57,113 @@ static HWY_INLINE Vector behind(const ReprojectRow& row, std::size_t x, const Ve
     const Vector d = minus(p, row.now.eye);
     const Floats length = hn::Sqrt(dot(d.x, d.y, d.z, d.x, d.y, d.z));
     const Floats rough = row.roughness != nullptr ? load(row.roughness + x) : splat(1.0f);
-    const Floats smooth = positive(hn::Sub(splat(1.0f), hn::Mul(rough, rough)));
-    const Floats follows = hn::Mul(smooth, hn::Add(hn::Sqrt(smooth), hn::Mul(rough, rough)));
+    const Floats alpha = hn::Mul(rough, rough);
+    const Floats smooth = positive(hn::Sub(splat(1.0f), alpha));
+    const Floats follows = hn::Mul(smooth, hn::Add(hn::Sqrt(smooth), alpha));
     const Floats share = hn::Div(hn::Mul(positive(load(row.reflected + x)), follows), length);
     return {hn::Mul(d.x, share), hn::Mul(d.y, share), hn::Mul(d.z, share)};
 }
 
-static HWY_INLINE Vector plus(const Vector& a, const Vector& b) {
-    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
-}
-
-struct Chunk {
-    HWY_ALIGN std::int32_t first[kChunk];
-    HWY_ALIGN float column[kChunk];                // of the first tap; -1 ... width - 1
-    HWY_ALIGN float across[kChunk], down[kChunk];  // where between the taps, [0, 1); kNowhere: outside the picture
-    HWY_ALIGN float place[4][4 * kChunk];
-    HWY_ALIGN float facing[4][4 * kChunk];
+// Where a pixel's light was in the last picture, in numbers of pixels from the centre of pixel (0, 0).
+struct Then {
+    Floats x, y;
+    Floats nearness;  // of the surface there
 };
 
-// Where each pixel's point was in the last picture. Points outside of it stay without taps.
-static void find_places(const ReprojectRow& row, std::size_t begin, std::size_t count, Chunk& chunk) {
-    for (std::size_t i = 0; i < count; i += lane_count()) {
-        const std::size_t x = begin + i;
-        Vector here = load3(row.position, x), before = load3(row.previous, x);
-        if (row.reflected != nullptr) {
-            const Vector image = behind(row, x, here);
-            here = plus(here, image);
-            before = plus(before, image);
-        }
-        Floats now_x, now_y, then_x, then_y;
-        const Lanes seen = hn::And(project(row.now, here, now_x, now_y), project(row.then, before, then_x, then_y));
-
-        const Floats centre = hn::Add(hn::ConvertTo(F(), pixel_numbers(static_cast<std::ptrdiff_t>(x))), splat(0.5f));
-        const Floats at_x = hn::Sub(hn::Add(hn::Sub(then_x, hn::Mul(now_x, splat(row.scale_x))),
-                                            hn::Mul(centre, splat(row.scale_x))),
-                                    splat(0.5f));
-        const Floats at_y = hn::Add(hn::Sub(then_y, hn::Mul(now_y, splat(row.scale_y))),
-                                    splat(row.y * row.scale_y - 0.5f));
-        const Floats left = hn::Floor(at_x), top = hn::Floor(at_y);
-        const Floats low = splat(-1.0f);
-        const Lanes in_picture =
-            hn::And(hn::And(seen, hn::And(hn::Ge(left, low), hn::Lt(left, splat(static_cast<float>(row.then_width))))),
-                    hn::And(hn::Ge(top, low), hn::Lt(top, splat(static_cast<float>(row.then_height)))));
-
-        const Floats column = zero_unless(in_picture, left);
-        const Ints line = hn::ConvertTo(I(), zero_unless(in_picture, top));
-        const Ints first = hn::Add(hn::Mul(line, hn::Set(I(), row.then_stride)), hn::ConvertTo(I(), column));
-        hn::StoreU(first, I(), chunk.first + i);
-        store(column, chunk.column + i);
-        store(choose(in_picture, hn::Sub(at_x, left), splat(kNowhere)), chunk.across + i);
-        store(choose(in_picture, hn::Sub(at_y, top), splat(kNowhere)), chunk.down + i);
-    }
+static HWY_INLINE Floats to_steps(Floats place) {
+    const Floats steps = hn::Floor(hn::Add(hn::Mul(place, splat(kPlaceSteps)), splat(0.5f)));
+    return hn::Mul(steps, splat(1.0f / kPlaceSteps));
 }
 
-static void copy_taps(const ReprojectRow& row, std::size_t count, Chunk& chunk) {
-    const hn::CappedTag<float, 4> four;
-    const std::ptrdiff_t step[4] = {0, 1, row.then_stride, row.then_stride + 1};
-    for (std::size_t i = 0; i < count; ++i) {
-        for (std::size_t tap = 0; tap < 4; ++tap) {
-            const std::ptrdiff_t at = 4 * (chunk.first[i] + step[tap]);
-            hn::Store(hn::Load(four, row.then_place + at), four, chunk.place[tap] + 4 * i);
-            hn::Store(hn::Load(four, row.then_facing + at), four, chunk.facing[tap] + 4 * i);
-        }
+static HWY_INLINE Then find_place(const ReprojectRow& row, std::size_t x) {
+    Vector here = load3(row.position, x), before = load3(row.previous, x);
+    PicturePoint then = project(row.then, before);
+    const Floats nearness = then.nearness;
+    if (row.reflected != nullptr) {
+        const Vector image = behind(row, x, here);
+        here = plus(here, image);
+        then = project(row.then, plus(before, image));
     }
+    const PicturePoint now = project(row.now, here);
+    const Floats centre = hn::Add(hn::ConvertTo(F(), pixel_numbers(static_cast<std::ptrdiff_t>(x))), splat(0.5f));
+    const Floats scale_x = splat(row.scale_x), scale_y = splat(row.scale_y), half = splat(0.5f);
+    const Floats moved_x = hn::Sub(then.x, hn::Mul(now.x, scale_x));
+    const Floats moved_y = hn::Sub(then.y, hn::Mul(now.y, scale_y));
+    return {to_steps(hn::Add(moved_x, hn::Sub(hn::Mul(centre, scale_x), half))),
+            to_steps(hn::Add(moved_y, hn::Sub(hn::Mul(splat(row.y), scale_y), half))), nearness};
 }
 
-// The surface a pixel shows now, as it was.
+// What is asked of each tap.
 struct Wanted {
-    Vector before;  // position
     Vector normal;
-    Floats tolerance;  // metres off the plane
+    Floats nearness, tolerance;
     Ints part;
+    Floats right, below;  // place between the taps, in [0, 1)
 };
 
-static HWY_INLINE Lanes same_surface(const Chunk& chunk, std::size_t tap, std::size_t i, const Wanted& wanted) {
-    Floats px, py, pz, part, nx, ny, nz, rough;
-    hn::LoadInterleaved4(F(), chunk.place[tap] + 4 * i, px, py, pz, part);
-    hn::LoadInterleaved4(F(), chunk.facing[tap] + 4 * i, nx, ny, nz, rough);
-    const Floats off = dot(nx, ny, nz, hn::Sub(wanted.before.x, px), hn::Sub(wanted.before.y, py),
-                           hn::Sub(wanted.before.z, pz));
-    const Floats cosine = dot(nx, ny, nz, wanted.normal.x, wanted.normal.y, wanted.normal.z);
-    const Lanes same_part = hn::RebindMask(F(), hn::Eq(hn::BitCast(I(), part), wanted.part));
-    return hn::And(same_part, hn::And(hn::Le(hn::Abs(off), wanted.tolerance), hn::Ge(cosine, splat(kNormalTolerance))));
+static HWY_INLINE Lanes same_surface(const ReprojectRow& row, const TapPlace& place, int tap, const Wanted& wanted) {
+    const std::ptrdiff_t step = (tap / 2) * row.then_stride + tap % 2;
+    const GuideRows& guides = row.then_guides;
+    const Floats dx = hn::Sub(wanted.right, splat(static_cast<float>(tap % 2)));
+    const Floats dy = hn::Sub(wanted.below, splat(static_cast<float>(tap / 2)));
+    const Floats foretold = hn::Add(read_tap(guides.nearness, place, step),
+                                    hn::Add(hn::Mul(read_tap(guides.slope_x, place, step), dx),
+                                            hn::Mul(read_tap(guides.slope_y, place, step), dy)));
+    const Floats cosine = dot(read_tap(guides.normal[0], place, step), read_tap(guides.normal[1], place, step),
+                              read_tap(guides.normal[2], place, step), wanted.normal.x, wanted.normal.y, wanted.normal.z);
+    const Lanes same_part = hn::RebindMask(F(), hn::Eq(read_tap(row.then_part, place, step), wanted.part));
+    const Lanes same_plane = hn::Le(hn::Abs(hn::Sub(foretold, wanted.nearness)), wanted.tolerance);
+    return hn::And(same_part, hn::And(same_plane, hn::Ge(cosine, splat(kNormalTolerance))));
 }
 
-static HWY_INLINE Wanted wanted_surface(const ReprojectRow& row, std::size_t x) {
-    Wanted wanted;
-    wanted.before = load3(row.previous, x);
-    wanted.normal = load3(row.normal, x);
-    const Vector d = minus(wanted.before, row.then.eye);
-    wanted.tolerance = hn::Mul(splat(kPlaneTolerance), hn::Sqrt(dot(d.x, d.y, d.z, d.x, d.y, d.z)));
-    wanted.part = hn::LoadU(I(), reinterpret_cast<const std::int32_t*>(row.part) + x);
-    return wanted;
-}
-
-static void weigh_taps(const ReprojectRow& row, std::size_t begin, std::size_t count, const Chunk& chunk) {
-    const Floats one = splat(1.0f), zero = hn::Zero(F());
+static void weigh_taps(const ReprojectRow& row, std::size_t x, const Then& then) {
+    const Floats one = splat(1.0f), zero = hn::Zero(F()), low = splat(-1.0f);
+    const Floats left = hn::Floor(then.x), top = hn::Floor(then.y);
     const Floats last_column = splat(static_cast<float>(row.then_width - 1));
-    for (std::size_t i = 0; i < count; i += lane_count()) {
-        const std::size_t x = begin + i;
-        const Wanted wanted = wanted_surface(row, x);
-        const Floats right = load(chunk.across + i), below = load(chunk.down + i), column = load(chunk.column + i);
-        const Ints sky = hn::Set(I(), static_cast<std::int32_t>(kNoSurface));
-        const Lanes usable = hn::And(hn::RebindMask(F(), hn::Ne(wanted.part, sky)), hn::Lt(right, one));
-        // Above and below the picture lies slack without surfaces; left and right of it, the neighbouring rows.
-        const Lanes left_in = hn::And(usable, hn::Ge(column, zero));
-        const Lanes right_in = hn::And(usable, hn::Lt(column, last_column));
-        const Floats left = hn::Sub(one, right), above = hn::Sub(one, below);
-        Floats weight[4] = {hn::Mul(left, above), hn::Mul(right, above), hn::Mul(left, below), hn::Mul(right, below)};
-        Floats sum = zero;
-        for (std::size_t tap = 0; tap < 4; ++tap) {
-            const Lanes in = tap % 2 == 0 ? left_in : right_in;
-            weight[tap] = zero_unless(hn::And(in, same_surface(chunk, tap, i, wanted)), weight[tap]);
-            sum = hn::Add(sum, weight[tap]);
-        }
-        const Floats share = zero_unless(hn::Ge(sum, splat(kLeastWeight)), hn::Div(one, sum));
-        for (std::size_t tap = 0; tap < 4; ++tap) store(hn::Mul(weight[tap], share), row.weight[tap] + x);
-        hn::StoreU(hn::LoadU(I(), chunk.first + i), I(), row.first + x);
+    const Floats last_line = splat(static_cast<float>(row.then_height - 1));
+    // Written so that a NaN is a no.
+    const Lanes in_picture = hn::And(hn::And(hn::Ge(left, low), hn::Le(left, last_column)),
+                                     hn::And(hn::Ge(top, low), hn::Le(top, last_line)));
+    const Lanes is_surface = hn::Gt(load(row.nearness + x), zero);
+    const Lanes usable = hn::And(hn::And(in_picture, is_surface), hn::Gt(then.nearness, zero));
+    const Floats column = zero_unless(usable, left), line = zero_unless(usable, top);
+    const Ints first = hn::Add(hn::Mul(hn::ConvertTo(I(), line), hn::Set(I(), static_cast<std::int32_t>(row.then_stride))),
+                               hn::ConvertTo(I(), column));
+    if (hn::AllFalse(F(), usable)) {
+        for (float* weight : row.weight) store(zero, weight + x);
+        hn::StoreU(hn::Zero(I()), I(), row.first + x);
+        return;
     }
+    const TapPlace place = place_of(first, usable);
+
+    Wanted wanted;
+    wanted.normal = load3(row.normal, x);
+    wanted.nearness = then.nearness;
+    wanted.tolerance = hn::Mul(hn::Abs(then.nearness), splat(kNearnessTolerance));
+    wanted.part = hn::LoadU(I(), reinterpret_cast<const std::int32_t*>(row.part) + x);
+    wanted.right = zero_unless(usable, hn::Sub(then.x, left));
+    wanted.below = zero_unless(usable, hn::Sub(then.y, top));
+
+    const Floats across[2] = {hn::Sub(one, wanted.right), wanted.right};
+    const Floats along_y[2] = {hn::Sub(one, wanted.below), wanted.below};
+    const Lanes column_in[2] = {hn::Ge(column, zero), hn::Lt(column, last_column)};
+    const Lanes line_in[2] = {hn::Ge(line, zero), hn::Lt(line, last_line)};
+    Floats weight[4];
+    Floats sum = zero;
+    for (int tap = 0; tap < 4; ++tap) {
+        const Lanes in = hn::And(usable, hn::And(column_in[tap % 2], line_in[tap / 2]));
+        weight[tap] = zero_unless(hn::And(in, same_surface(row, place, tap, wanted)),
+                                  hn::Mul(across[tap % 2], along_y[tap / 2]));
+        sum = hn::Add(sum, weight[tap]);
+    }
+    const Floats share = zero_unless(hn::Ge(sum, splat(kLeastWeight)), hn::Div(one, sum));
+    for (int tap = 0; tap < 4; ++tap) store(hn::Mul(weight[tap], share), row.weight[tap] + x);
+    hn::StoreU(place.first, I(), row.first + x);
 }
 
 static void reproject_row(const ReprojectRow& row) {
-    Chunk chunk;
-    for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += kChunk) {
-        const std::size_t count = chunk_end(row.width, x);
-        find_places(row, x, count, chunk);
-        copy_taps(row, count, chunk);
-        weigh_taps(row, x, count, chunk);
-    }
-}
-
-static void remember_row(const RememberRow& row) {
-    const auto width = static_cast<std::size_t>(row.width);
-    for (std::size_t x = 0; x < width; x += lane_count()) {
-        const Floats part = load(reinterpret_cast<const float*>(row.part) + x);
-        const Floats rough = row.roughness != nullptr ? load(row.roughness + x) : splat(1.0f);
-        hn::StoreInterleaved4(load(row.position[0] + x), load(row.position[1] + x), load(row.position[2] + x), part,
-                              F(), row.place + 4 * x);
-        hn::StoreInterleaved4(load(row.normal[0] + x), load(row.normal[1] + x), load(row.normal[2] + x), rough, F(),
-                              row.facing + 4 * x);
+    for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) {
+        weigh_taps(row, x, find_place(row, x));
     }
 }
 
@@ -207,11 +174,10 @@ HWY_AFTER_NAMESPACE();
 namespace gh::filter {
 
 HWY_EXPORT(reproject_row);
-HWY_EXPORT(remember_row);
 
 namespace {
 
-void set(float to[3], const glm::vec3& from) {
+void copy(const glm::vec3& from, float to[3]) {
     for (std::size_t i = 0; i < 3; ++i) to[i] = from[i];
 }
 
@@ -221,23 +187,11 @@ Projector projector_of(const Pinhole& lens) {
     const float volume = glm::dot(lens.right, glm::cross(lens.down, lens.corner));
     EXPECTS(volume != 0.0f);
     Projector out;
-    set(out.eye, lens.eye);
-    set(out.across, glm::cross(lens.down, lens.corner) / volume);
-    set(out.down, glm::cross(lens.corner, lens.right) / volume);
-    set(out.ahead, glm::cross(lens.right, lens.down) / volume);
+    copy(lens.eye, out.eye);
+    copy(glm::cross(lens.down, lens.corner) / volume, out.across);
+    copy(glm::cross(lens.corner, lens.right) / volume, out.down);
+    copy(glm::cross(lens.right, lens.down) / volume, out.ahead);
     return out;
-}
-
-void Texels::resize(int width, int height) {
-    EXPECTS(width >= 0 && height >= 0);
-    if (width == width_ && height == height_ && !texels_.empty()) return;
-    width_ = width;
-    height_ = height;
-    stride_ = (width + 15) / 16 * 16;
-    // All bits set: a part that is no surface, and no number.
-    const float none = std::bit_cast<float>(kNoSurface);
-    texels_.assign(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(height + 2) + 2 * kSlack,
-                   Texel{{none, none, none, none}});
 }
 
 void Taps::fit(int width, int height) {
@@ -245,41 +199,25 @@ void Taps::fit(int width, int height) {
     for (Plane& plane : weight) plane.fit(width, height);
 }
 
-void remember(const GBuffer& surfaces, const Jobs& jobs, SeenSurfaces& seen) {
-    const int width = surfaces.width(), height = surfaces.height();
-    seen.lens = surfaces.lens;
-    seen.place.resize(width, height);
-    seen.facing.resize(width, height);
-    run_rows(height, jobs, [&](int y) {
-        RememberRow row{};
-        point_to(row.position, surfaces.position, y);
-        point_to(row.normal, surfaces.normal, y);
-        row.roughness = surfaces.roughness.empty() ? nullptr : surfaces.roughness.row(y);
-        row.part = surfaces.part.row(y);
-        row.width = width;
-        row.place = seen.place.row(y)->value;
-        row.facing = seen.facing.row(y)->value;
-        HWY_DYNAMIC_DISPATCH(remember_row)(row);
-    });
-}
-
-void reproject(const GBuffer& now, const SeenSurfaces& seen, Motion motion, const Jobs& jobs, Taps& taps) {
+void reproject(const GBuffer& now, const Guides& guides, const SeenSurfaces& seen, Motion motion, const Jobs& jobs,
+               Taps& taps) {
     const int width = now.width(), height = now.height();
-    taps.fit(width, height);
-    if (seen.place.width() == 0 || seen.place.height() == 0) {
-        for (Plane& weight : taps.weight) weight.resize(width, height);
+    EXPECTS(guides.width() == width && guides.height() == height);
+    if (seen.part.empty()) {
         taps.first.resize(width, height);
+        for (Plane& weight : taps.weight) weight.resize(width, height);
         return;
     }
+    taps.fit(width, height);
     ReprojectRow shared{};
     shared.now = projector_of(now.lens);
     shared.then = projector_of(seen.lens);
     shared.width = width;
-    shared.then_place = seen.place.row(0)->value;
-    shared.then_facing = seen.facing.row(0)->value;
-    shared.then_width = seen.place.width();
-    shared.then_height = seen.place.height();
-    shared.then_stride = seen.place.stride();
+    shared.then_guides = rows_of(seen.guides, 0);
+    shared.then_part = seen.part.row(0);
+    shared.then_width = seen.part.width();
+    shared.then_height = seen.part.height();
+    shared.then_stride = seen.part.stride();
     shared.scale_x = static_cast<float>(shared.then_width) / static_cast<float>(width);
     shared.scale_y = static_cast<float>(shared.then_height) / static_cast<float>(height);
     const bool follows_reflection = motion == Motion::OfReflection && !now.reflected.empty();
@@ -288,6 +226,7 @@ void reproject(const GBuffer& now, const SeenSurfaces& seen, Motion motion, cons
         point_to(row.position, now.position, y);
         point_to(row.previous, now.previous.empty() ? now.position : now.previous, y);
         point_to(row.normal, now.normal, y);
+        row.nearness = guides.nearness.row(y);
         row.roughness = now.roughness.empty() ? nullptr : now.roughness.row(y);
         row.reflected = follows_reflection ? now.reflected.row(y) : nullptr;
         row.part = now.part.row(y);

@@ -1,9 +1,10 @@
-// filter/reproject_kernel.h - plain data between reproject.cpp and its kernels.
+// filter/reproject_kernel.h - plain data between reproject.cpp and its kernel.
 #pragma once
 
 #include "filter/gbuffer.h"
-#include "filter/reproject.h"
+#include "filter/guides.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace gh::filter {
@@ -21,29 +22,21 @@ struct ReprojectRow {
     const float* position[3];
     const float* previous[3];
     const float* normal[3];
+    const float* nearness;
     const float* roughness;  // may be null
     const float* reflected;  // null: motion of the surface
     const std::uint32_t* part;
     int width;  // of this frame's row
     float y;    // of its pixels' centres
 
-    const float* then_place;  // Texels::row(0), four floats a texel
-    const float* then_facing;
-    int then_width, then_height, then_stride;
+    GuideRows then_guides;  // of row 0
+    const std::uint32_t* then_part;
+    int then_width, then_height;
+    std::ptrdiff_t then_stride;
     float scale_x, scale_y;  // of the last picture relative to this one
 
     std::int32_t* first;
     float* weight[4];
-};
-
-struct RememberRow {
-    const float* position[3];
-    const float* normal[3];
-    const float* roughness;  // may be null
-    const std::uint32_t* part;
-    int width;
-    float* place;
-    float* facing;
 };
 
 }  // namespace gh::filter

@@ -22,6 +22,19 @@ void run_rows(int height, const Jobs& jobs, const Row& row) {
     });
 }
 
+// The same with rows `step` apart following each other: filters that look `step` rows up and down then find what they
+// need still in the cache.
+template <class Row>
+void run_rows_apart(int height, int step, const Jobs& jobs, const Row& row) {
+    const int whole = height / step, more = height % step;  // `more` of the combs have one tooth more
+    run_rows(height, jobs, [&](int i) {
+        const int in_long = more * (whole + 1);
+        const int comb = i < in_long ? i / (whole + 1) : more + (i - in_long) / std::max(1, whole);
+        const int tooth = i < in_long ? i % (whole + 1) : (i - in_long) % std::max(1, whole);
+        row(tooth * step + comb);
+    });
+}
+
 // The three rows of a vector or colour.
 inline void point_to(const float* to[3], const Plane3& planes, int y) {
     to[0] = planes.x.row(y);

@@ -48,9 +48,9 @@ static HWY_INLINE Floats dot(Floats ax, Floats ay, Floats az, Floats bx, Floats 
     return hn::Add(hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by)), hn::Mul(az, bz));
 }
 
-// About e^-x for x = 4 * quarter >= 0: (1 - x/4)^4, exactly 1 at 0 and exactly 0 from x = 4 on. NaN gives 0.
+// About e^-x for x = 4 * quarter >= 0: (1 - x/4)^4, exactly 1 at 0 and exactly 0 from x = 4 on. Not for NaN.
 static HWY_INLINE Floats falloff(Floats quarter) {
-    const Floats t = positive(hn::Sub(splat(1.0f), quarter));
+    const Floats t = hn::Max(hn::Sub(splat(1.0f), quarter), hn::Zero(F()));
     const Floats t2 = hn::Mul(t, t);
     return hn::Mul(t2, t2);
 }

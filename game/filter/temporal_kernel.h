@@ -1,6 +1,7 @@
-// filter/temporal_kernel.h - plain data between temporal.cpp and its kernels.
+// filter/temporal_kernel.h - plain data between temporal.cpp and its kernel.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace gh::filter {
@@ -10,20 +11,14 @@ struct AccumulateRow {
     const float* change;  // may be null
     const std::int32_t* first;
     const float* weight[4];
-    const float* then_light;  // Texels::row(0); null: no past
-    const float* then_pace;
-    int then_stride;
+    bool has_past;
+    const float* then_light[3];  // row 0
+    const float *then_square, *then_length, *then_fast;
+    std::ptrdiff_t then_stride;
     int width;
     float longest, fast_longest;
     float* light[3];
-    float *luminance, *square, *length, *fast;
-};
-
-struct PackRow {
-    const float* light[3];
-    const float *square, *length, *fast;
-    int width;
-    float *to_light, *to_pace;
+    float *square, *length, *fast;
 };
 
 }  // namespace gh::filter

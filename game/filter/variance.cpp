@@ -14,21 +14,21 @@ HWY_BEFORE_NAMESPACE();
 namespace gh::filter::HWY_NAMESPACE {
 
 constexpr float kEnough = 4.0f;  // samples to judge a pixel by its own
-constexpr int kRadius = 2;
+constexpr int kApart = 2;        // pixels between the neighbours asked
 
 // Of one sample, from the neighbours on the same surface.
 static Floats variance_around(const VarianceRow& row, std::size_t x) {
     const Surface surface = surface_at(row.guides, x, 1.0f);
     Floats weight = splat(1.0f), mean = load(row.luminance + x), square = load(row.square + x);
-    for (int dy = -kRadius; dy <= kRadius; ++dy) {
+    for (int dy = -kApart; dy <= kApart; dy += kApart) {
         if (row.y + dy < 0 || row.y + dy >= row.height) continue;
-        for (int dx = -kRadius; dx <= kRadius; ++dx) {
+        const Floats base = below(surface, dy);
+        for (int dx = -kApart; dx <= kApart; dx += kApart) {
             if (dx == 0 && dy == 0) continue;
-            const std::ptrdiff_t beside = static_cast<std::ptrdiff_t>(x) + dx;
-            const std::ptrdiff_t at = beside + dy * row.stride;
-            const Lanes in = inside(pixel_numbers(beside), row.width);
-            const Floats w = zero_unless(
-                in, falloff(apart(surface, row.guides, at, static_cast<float>(dx), static_cast<float>(dy))));
+            const std::ptrdiff_t column = static_cast<std::ptrdiff_t>(x) + dx;
+            const std::ptrdiff_t at = column + dy * row.stride;
+            const Floats w = zero_unless(inside(pixel_numbers(column), row.width),
+                                         falloff(apart(surface, row.guides, at, beside(surface, base, dx))));
             weight = hn::Add(weight, w);
             mean = hn::Add(mean, hn::Mul(w, load(row.luminance + at)));
             square = hn::Add(square, hn::Mul(w, load(row.square + at)));
@@ -63,12 +63,12 @@ HWY_EXPORT(variance_row);
 
 void estimate_variance(const Accumulated& signal, const Guides& guides, const Jobs& jobs, Plane& variance) {
     const int width = guides.width(), height = guides.height();
-    EXPECTS(signal.luminance.width() == width && signal.luminance.height() == height);
+    EXPECTS(signal.light.width() == width && signal.light.height() == height);
     variance.fit(width, height);
     run_rows(height, jobs, [&](int y) {
         VarianceRow row{};
         row.guides = rows_of(guides, y);
-        row.luminance = signal.luminance.row(y);
+        row.luminance = signal.light.y.row(y);
         row.square = signal.square.row(y);
         row.length = signal.length.row(y);
         row.width = width;

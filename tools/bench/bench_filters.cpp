@@ -85,49 +85,33 @@ void bench_stages(const Bench& b) {
           demodulated.x);
     filter::Guides guides;
     b.row("guides", [&](int) { filter::make_guides(now.surfaces, b.jobs, guides); }, guides.slope_x);
-    filter::SeenSurfaces seen;
-    b.row("remember surfaces", [&](int) { filter::remember(last.surfaces, b.jobs, seen); }, guides.slope_x);
+    filter::SeenSurfaces seen{last.surfaces.lens, {}, last.surfaces.part};
+    filter::make_guides(last.surfaces, b.jobs, seen.guides);
     filter::Taps taps;
-    b.row("reproject", [&](int) { filter::reproject(now.surfaces, seen, filter::Motion::OfSurface, b.jobs, taps); },
-          taps.weight[0]);
-    b.row("reproject reflections",
-          [&](int) { filter::reproject(now.surfaces, seen, filter::Motion::OfReflection, b.jobs, taps); },
-          taps.weight[0]);
+    const auto reproject = [&](filter::Motion motion) {
+        filter::reproject(now.surfaces, guides, seen, motion, b.jobs, taps);
+    };
+    b.row("reproject reflections", [&](int) { reproject(filter::Motion::OfReflection); }, taps.weight[0]);
+    b.row("reproject", [&](int) { reproject(filter::Motion::OfSurface); }, taps.weight[0]);
 
     filter::Accumulated before, mean;
-    filter::History history;
-    filter::accumulate(last.noisy.indirect, {}, taps, history, {}, b.jobs, before);
-    b.row("remember a signal", [&](int) { filter::remember(before, b.jobs, history); }, before.square);
+    filter::accumulate(last.noisy.indirect, {}, taps, {}, {}, b.jobs, before);
     b.row("accumulate a signal",
-          [&](int) { filter::accumulate(demodulated, {}, taps, history, {}, b.jobs, mean); }, mean.light.x);
+          [&](int) { filter::accumulate(demodulated, {}, taps, before, {}, b.jobs, mean); }, mean.light.x);
     filter::Plane sums[2];
     b.row("settle a signal", [&](int) { filter::settle({}, b.jobs, mean, sums); }, mean.light.x);
-    filter::Signal signal, scratch;
-    b.row("variance, short history",
-          [&](int) { filter::estimate_variance(mean, guides, b.jobs, signal.variance); }, signal.variance);
+    filter::Plane variance;
+    b.row("variance, short history", [&](int) { filter::estimate_variance(mean, guides, b.jobs, variance); }, variance);
     mean.length = filter::Plane(b.options.width, b.options.height, 8.0f);
-    b.row("variance, long history",
-          [&](int) { filter::estimate_variance(mean, guides, b.jobs, signal.variance); }, signal.variance);
+    b.row("variance, long history", [&](int) { filter::estimate_variance(mean, guides, b.jobs, variance); }, variance);
 
-    signal.light = mean.light;
-    signal.luminance = mean.luminance;
-    filter::Signal second = signal, second_scratch;
+    const filter::SignalView signal{&mean.light, &variance};
+    filter::Signal scratch[2];
     for (const int radius : {1, 2}) {
         const filter::AtrousSettings settings{.levels = 5, .radius = radius};
-        const std::string kernel = radius == 1 ? "3x3" : "5x5";
-        b.row(("a-trous " + kernel + ", 5 levels, 1 signal").c_str(),
-              [&](int) {
-                  filter::Signal copy = signal;
-                  filter::atrous(guides, settings, b.jobs, copy, scratch);
-              },
-              scratch.light.x);
-        b.row(("a-trous " + kernel + ", 1 level, 2 signals").c_str(),
-              [&](int) {
-                  const filter::Signal* in[] = {&signal, &second};
-                  filter::Signal* out[] = {&scratch, &second_scratch};
-                  filter::atrous_level(guides, in, settings, 1, b.jobs, out);
-              },
-              second_scratch.light.x);
+        const std::string name = std::string("a-trous ") + (radius == 1 ? "3x3" : "5x5") + ", 5 levels";
+        b.row(name.c_str(), [&](int) { filter::atrous(guides, signal, settings, b.jobs, scratch); },
+              scratch[0].light.x);
     }
     filter::Plane3 out;
     b.row("remodulate",
