@@ -10,6 +10,7 @@
 #pragma once
 
 #include "kernels/build_abi.h"
+#include "unfilled.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,19 +21,21 @@ namespace rc {
 
 struct alignas(32) BinaryNode {
     float min[3];
-    std::uint32_t first;  // leaf: first of its refs; inner: index of the left child, the right one being next
+    std::uint32_t
+        first;  // leaf: first of its items; inner: index of the left child, the right one being next
     float max[3];
-    std::uint32_t count;  // refs of a leaf; kInner and the refs below for an inner node
+    std::uint32_t count;  // items of a leaf; kInner and how many refs it was made of for an inner node
 
     static constexpr std::uint32_t kInner = 0x80000000u;
     [[nodiscard]] bool is_leaf() const { return (count & kInner) == 0; }
-    [[nodiscard]] std::uint32_t refs_below() const { return count & ~kInner; }
+    [[nodiscard]] std::uint32_t size() const { return count & ~kInner; }
 };
 static_assert(sizeof(BinaryNode) == 32);
 
 struct BinaryTree {
     std::unique_ptr<BinaryNode[]> nodes;  // the root first
     std::size_t size = 0;
+    Unfilled<std::uint32_t> items;  // of refs, leaf by leaf
 };
 
 struct SplitCosts {
@@ -49,7 +52,7 @@ template <class Bounded>
     return (x * y + y * z) + z * x;
 }
 
-// Reorders `refs` so that every leaf is a range of them. refs must not be empty.
+// Reorders `refs`, which must not be empty.
 [[nodiscard]] BinaryTree build_binary_tree(std::span<BuildRef> refs, const SplitCosts& costs);
 
 }  // namespace rc

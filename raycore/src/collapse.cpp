@@ -59,7 +59,7 @@ class Collapse {
     std::uint32_t count(std::uint32_t at) {
         std::uint32_t lanes[kernel::kWidth];
         const int n = gather(at, lanes);
-        for_lanes(binary_[at].refs_below() >= kParallelRefs, n, [&](int i) {
+        for_lanes(binary_[at].size() >= kParallelRefs, n, [&](int i) {
             if (!binary_[lanes[i]].is_leaf()) (void)count(lanes[i]);
         });
         std::uint32_t size = 1;
@@ -84,7 +84,7 @@ class Collapse {
             node.child[i] = child.is_leaf() ? leaves_.code(child) : next;
             if (!child.is_leaf()) next += sizes_[lanes[i]];
         }
-        for_lanes(binary_[at].refs_below() >= kParallelRefs, n, [&](int i) {
+        for_lanes(binary_[at].size() >= kParallelRefs, n, [&](int i) {
             const BinaryNode& child = binary_[lanes[i]];
             node.layers[i] = child.is_leaf() ? leaves_.word(child) : write(lanes[i], node.child[i]);
         });
@@ -129,11 +129,11 @@ struct BlasLeaves {
 };
 
 struct TlasLeaves {
-    const BuildRef* refs;
+    const std::uint32_t* items;
     const std::vector<std::uint32_t>& layers;
 
-    std::uint32_t code(const BinaryNode& leaf) const { return kernel::kLeafBit | refs[leaf.first].item; }
-    std::uint32_t word(const BinaryNode& leaf) const { return layers[refs[leaf.first].item]; }
+    std::uint32_t code(const BinaryNode& leaf) const { return kernel::kLeafBit | items[leaf.first]; }
+    std::uint32_t word(const BinaryNode& leaf) const { return layers[items[leaf.first]]; }
     std::uint32_t word_of_node(std::uint32_t words, std::uint32_t) const { return words; }
 };
 
@@ -153,9 +153,8 @@ WideTree collapse_blas(const BinaryTree& tree) {
     return Collapse(tree, leaves).run();
 }
 
-WideTree collapse_tlas(const BinaryTree& tree, const BuildRef* refs,
-                       const std::vector<std::uint32_t>& layers) {
-    const TlasLeaves leaves{refs, layers};
+WideTree collapse_tlas(const BinaryTree& tree, const std::vector<std::uint32_t>& layers) {
+    const TlasLeaves leaves{tree.items.data(), layers};
     return Collapse(tree, leaves).run();
 }
 

@@ -15,12 +15,11 @@ struct WideTree {
     std::uint32_t root = kernel::kEmptyTree;
 };
 
-// BLAS leaves are ranges of refs (see kernel_abi.h).
+// BLAS leaves are ranges of the tree's items (see kernel_abi.h).
 [[nodiscard]] WideTree collapse_blas(const BinaryTree& tree);
 
-// TLAS leaves are single refs and name their items; `layers[item]` is gathered upwards.
-[[nodiscard]] WideTree collapse_tlas(const BinaryTree& tree, const BuildRef* refs,
-                                     const std::vector<std::uint32_t>& layers);
+// TLAS leaves are single items; `layers[item]` is gathered upwards.
+[[nodiscard]] WideTree collapse_tlas(const BinaryTree& tree, const std::vector<std::uint32_t>& layers);
 
 // No box: met by nothing.
 void clear_lane(kernel::WideNode& node, int lane, std::uint32_t harmless_leaf);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 namespace rc::build {
 
@@ -21,7 +22,9 @@ class NodePool {
     [[nodiscard]] std::uint32_t take_pairs(std::size_t pairs) {
         return next_.fetch_add(static_cast<std::uint32_t>(2 * pairs), std::memory_order_relaxed);
     }
-    [[nodiscard]] BinaryTree release() { return {std::move(nodes_), next_.load()}; }
+    [[nodiscard]] BinaryTree release(Unfilled<std::uint32_t> items) {
+        return {std::move(nodes_), next_.load(), std::move(items)};
+    }
 
   private:
     std::unique_ptr<BinaryNode[]> nodes_;

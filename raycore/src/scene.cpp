@@ -102,7 +102,7 @@ std::shared_ptr<const Scene> SceneBuilder::commit() const {
         const BinaryTree binary = build_binary_tree(refs, SplitCosts{.max_leaf = 1});
         std::vector<std::uint32_t> layers(instances_.size());
         for (std::size_t i = 0; i < layers.size(); ++i) layers[i] = instances_[i].layers;
-        WideTree tree = collapse_tlas(binary, refs.data(), layers);
+        WideTree tree = collapse_tlas(binary, layers);
         scene->nodes = std::move(tree.nodes);
         scene->view.root = tree.root;
         for (std::size_t a = 0; a < 3; ++a) {

@@ -44,6 +44,7 @@ struct Split {
     std::int32_t axis;  // -1 when all refs lie in one bin
     std::int32_t bin;   // this bin and those above go right
     float cost;         // half areas times counts
+    std::uint32_t left_count, right_count;
     GrowingBox left, right;
 };
 
@@ -51,6 +52,27 @@ struct Split {
 struct Subsets {
     GrowingBox boxes[1 << kFewRefs];
     float costs[1 << kFewRefs];
+};
+
+// Slabs between planes at origin + k * width; what lies outside counts as in the nearest slab.
+struct SlabGrid {
+    float origin[4];
+    float scale[4];  // 0 where there is nothing to cut
+    float width[4];
+    std::int32_t count;
+};
+
+// What of the refs lies in each slab, and in how many slabs their ways begin and end.
+struct SlabBins {
+    GrowingBox boxes[kMaxBins][3];
+    std::uint32_t entries[kMaxBins][4];
+    std::uint32_t exits[kMaxBins][4];
+    std::int32_t used;
+};
+
+struct MeshArrays {
+    const float* positions;  // three a vertex
+    const std::uint32_t* triangles;
 };
 
 struct BuildKernels {
@@ -64,6 +86,11 @@ struct BuildKernels {
     // Grows `boxes` by the refs and `centres` by their doubled centres.
     void (*measure)(const BuildRef* refs, std::uint64_t n, GrowingBox& boxes, GrowingBox& centres);
     void (*measure_subsets)(const BuildRef* refs, std::uint32_t n, Subsets& subsets);
+    void (*clear_slabs)(SlabBins& bins, std::int32_t used);
+    // Cuts triangles (a ref's item) at every plane; rounded to nearest, good for choosing a plane and no more.
+    void (*bin_pieces)(const BuildRef* refs, std::uint64_t n, const MeshArrays& mesh, const SlabGrid& grid,
+                       SlabBins& bins);
+    void (*best_plane)(const SlabBins& bins, Split& split);
 };
 
 extern const BuildKernels kScalarBuildKernels;

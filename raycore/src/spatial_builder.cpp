@@ -1,0 +1,295 @@
+#include "spatial_builder.h"
+
+#include "clip.h"
+#include "dispatch.h"
+#include "node_pool.h"
+#include "range_cutter.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+#include <tbb/task_group.h>
+
+#include <algorithm>
+
+namespace rc {
+
+namespace {
+
+using build::Range;
+using kernel::SlabBins;
+using kernel::SlabGrid;
+using kernel::Split;
+
+constexpr std::size_t kParallelSubtree = 4096;
+constexpr std::size_t kParallelRange = 65536;
+constexpr std::size_t kBlock = 16384;
+// Planes are tried where the best halves' boxes overlap by more than these shares of the root's surface and of their
+// own range's. Lower shares cost time and gain nothing: 1e-5 alone doubles the build for the same cost of rays.
+constexpr float kOverlapOfRoot = 1e-4f;
+constexpr float kOverlapOfRange = 0.2f;
+constexpr std::int32_t kSlabs = 8;  // 16 take a tenth longer and lead to no better trees
+
+// Refs, and the room behind them that pieces may take: [end, limit).
+struct Plot {
+    Range range;
+    std::size_t limit;
+};
+
+float overlap(const GrowingBox& a, const GrowingBox& b) {
+    GrowingBox both;
+    for (int i = 0; i < 4; ++i) both.neg_min[i] = std::min(a.neg_min[i], b.neg_min[i]);
+    for (int i = 0; i < 4; ++i) both.max[i] = std::min(a.max[i], b.max[i]);
+    for (int i = 0; i < 3; ++i)
+        if (!(-both.neg_min[i] <= both.max[i])) return 0.0f;
+    return build::half_area(both);
+}
+
+SlabGrid slabs_over(const GrowingBox& box) {
+    SlabGrid grid{};
+    grid.count = kSlabs;
+    for (int a = 0; a < 3; ++a) {
+        const float extent = box.max[a] + box.neg_min[a];
+        const float scale = float(kSlabs) * 0.9999f / extent;
+        grid.origin[a] = 0.0f - box.neg_min[a];
+        if (!(extent > 0.0f && scale < build::kHuge)) continue;
+        grid.scale[a] = scale;
+        grid.width[a] = 1.0f / scale;
+    }
+    return grid;
+}
+
+void grow(SlabBins& bins, const SlabBins& by) {
+    for (int b = 0; b < bins.used; ++b) {
+        for (int a = 0; a < 3; ++a) {
+            build::grow(bins.boxes[b][a], by.boxes[b][a]);
+            bins.entries[b][a] += by.entries[b][a];
+            bins.exits[b][a] += by.exits[b][a];
+        }
+    }
+}
+
+class SpatialBuilder {
+  public:
+    SpatialBuilder(Unfilled<BuildRef> refs, const MeshView& mesh, const SplitCosts& costs)
+        : count_(refs.size()),
+          refs_(std::move(refs)),
+          mesh_(mesh),
+          arrays_{&mesh.positions[0].x, &mesh.triangles[0].x},
+          cutter_(make_room(), costs),
+          pool_(refs_.size()),
+          kernels_(active_build_kernels()) {}
+
+    BinaryTree run() {
+        const Range whole = cutter_.whole(count_);
+        root_area_ = build::half_area(whole.boxes);
+        build({whole, refs_.size()}, 0, 0, nullptr);
+        Unfilled<std::uint32_t> items;
+        items.reserve(count_ + count_ / 8);
+        gather(0, items);
+        return pool_.release(std::move(items));
+    }
+
+  private:
+    std::span<BuildRef> make_room() {
+        refs_.resize(std::max(count_, static_cast<std::size_t>(kMostPieces * double(count_))));
+        return refs_;
+    }
+
+    void build(const Plot& plot, std::uint32_t at, int depth, build::PairSupply* supply) {
+        const std::size_t n = plot.range.size();
+        BinaryNode& node = pool_[at];
+        build::set_box(node, plot.range.boxes);
+        node.first = static_cast<std::uint32_t>(plot.range.begin);
+        node.count = static_cast<std::uint32_t>(n);
+        Range left, right;
+        if (n == 1 || !cut(plot, depth, left, right)) return;
+
+        const auto [left_plot, right_plot] = deal_out(plot, left, right);
+        node.count |= BinaryNode::kInner;
+        const std::size_t room = plot.limit - plot.range.begin;
+        if (supply != nullptr || n < kParallelSubtree) {
+            build::PairSupply own(pool_, room);
+            build::PairSupply& pairs = supply != nullptr ? *supply : own;
+            node.first = pairs.take();
+            build(left_plot, node.first, depth + 1, &pairs);
+            build(right_plot, node.first + 1, depth + 1, &pairs);
+            return;
+        }
+        node.first = pool_.take_pairs(1);
+        tbb::task_group group;
+        group.run([&, plot_of_left = left_plot] { build(plot_of_left, node.first, depth + 1, nullptr); });
+        build(right_plot, node.first + 1, depth + 1, nullptr);
+        group.wait();
+    }
+
+    // False when the range had better be a leaf.
+    bool cut(const Plot& plot, int depth, Range& left, Range& right) {
+        const Range& range = plot.range;
+        if (range.size() <= kernel::kFewRefs && build::RangeCutter::leaves_depth_for_few(depth))
+            return cutter_.cut_few(range, left, right);
+        const build::ObjectSplit split = cutter_.object_split(range);
+        if (cut_by_plane(plot, split.best, depth, left, right)) return true;
+        if (!cutter_.pays(range, split.best.cost)) return false;
+        if (split.best.axis >= 0) {
+            cutter_.cut_at(split, range, left, right);
+            if (build::RangeCutter::leaves_depth(depth, left.size(), right.size())) return true;
+        }
+        cutter_.halve(range, left, right);
+        return true;
+    }
+
+    // False, and nothing moved, when no plane is better than `objects`, or there is no room for the pieces.
+    bool cut_by_plane(const Plot& plot, const Split& objects, int depth, Range& left, Range& right) {
+        if (plot.limit == plot.range.end) return false;
+        if (objects.axis >= 0) {
+            const float range_area = build::half_area(plot.range.boxes);
+            const float worth = std::max(kOverlapOfRoot * root_area_, kOverlapOfRange * range_area);
+            if (!(overlap(objects.left, objects.right) > worth)) return false;
+        }
+        const SlabGrid grid = slabs_over(plot.range.boxes);
+        const Split split = best_plane(plot.range, grid);
+        if (split.axis < 0 || !(split.cost < objects.cost) || !cutter_.pays(plot.range, split.cost))
+            return false;
+        if (!build::RangeCutter::leaves_depth(depth, split.left_count, split.right_count)) return false;
+
+        const float plane = grid.origin[split.axis] + grid.width[split.axis] * float(split.bin);
+        const Sides sides = count_sides(plot.range, split, plane);
+        if (sides.left == 0 || sides.right == 0 || sides.both > plot.limit - plot.range.end) return false;
+        if (!build::RangeCutter::leaves_depth(depth, sides.left + sides.both, sides.right + sides.both))
+            return false;
+        part(plot.range, split, plane, left, right);
+        return true;
+    }
+
+    [[nodiscard]] Split best_plane(const Range& range, const SlabGrid& grid) const {
+        SlabBins bins;
+        kernels_.clear_slabs(bins, grid.count);
+        const auto bin = [&](std::size_t begin, std::size_t end, SlabBins& into) {
+            kernels_.bin_pieces(refs_.data() + begin, end - begin, arrays_, grid, into);
+        };
+        if (range.size() < kParallelRange) {
+            bin(range.begin, range.end, bins);
+        } else {
+            bins = tbb::parallel_reduce(
+                tbb::blocked_range<std::size_t>(range.begin, range.end, kBlock), bins,
+                [&](const auto& part, SlabBins sum) {
+                    bin(part.begin(), part.end(), sum);
+                    return sum;
+                },
+                [](SlabBins a, const SlabBins& b) {
+                    grow(a, b);
+                    return a;
+                });
+        }
+        Split split;
+        kernels_.best_plane(bins, split);
+        return split;
+    }
+
+    enum class Side { Left, Right, Both };
+    struct Sides {
+        std::size_t left = 0, right = 0, both = 0;
+    };
+
+    // What the plane passes through may still go to one side whole, when growing that side costs less than a piece
+    // more on the other.
+    [[nodiscard]] static Side side_of(const BuildRef& ref, const Split& split, float plane) {
+        const int a = split.axis;
+        if (ref.max[a] <= plane) return Side::Left;
+        if (-ref.neg_min[a] >= plane) return Side::Right;
+        GrowingBox left = split.left, right = split.right;
+        for (int i = 0; i < 3; ++i) {
+            left.neg_min[i] = std::max(left.neg_min[i], ref.neg_min[i]);
+            left.max[i] = std::max(left.max[i], ref.max[i]);
+            right.neg_min[i] = std::max(right.neg_min[i], ref.neg_min[i]);
+            right.max[i] = std::max(right.max[i], ref.max[i]);
+        }
+        const float lefts = float(split.left_count), rights = float(split.right_count);
+        const float area_left = build::half_area(split.left), area_right = build::half_area(split.right);
+        const float as_both = area_left * lefts + area_right * rights;
+        const float as_left = build::half_area(left) * lefts + area_right * (rights - 1.0f);
+        const float as_right = area_left * (lefts - 1.0f) + build::half_area(right) * rights;
+        if (as_both <= as_left && as_both <= as_right) return Side::Both;
+        return as_left <= as_right ? Side::Left : Side::Right;
+    }
+
+    [[nodiscard]] Sides count_sides(const Range& range, const Split& split, float plane) const {
+        Sides sides;
+        for (std::size_t i = range.begin; i < range.end; ++i) {
+            const Side side = side_of(refs_[i], split, plane);
+            ++(side == Side::Left ? sides.left : side == Side::Right ? sides.right : sides.both);
+        }
+        return sides;
+    }
+
+    // Lefts and left pieces, then rights, then right pieces in the room behind.
+    void part(const Range& range, const Split& split, float plane, Range& left, Range& right) {
+        std::size_t middle = range.begin, rights_begin = range.end, end = range.end;
+        while (middle < rights_begin) {
+            BuildRef& ref = refs_[middle];
+            switch (side_of(ref, split, plane)) {
+                case Side::Left:
+                    ++middle;
+                    break;
+                case Side::Right:
+                    std::swap(ref, refs_[--rights_begin]);
+                    break;
+                case Side::Both: {
+                    const glm::uvec3& t = mesh_.triangles[ref.item];
+                    const glm::vec3 corners[3] = {mesh_.positions[t.x], mesh_.positions[t.y],
+                                                  mesh_.positions[t.z]};
+                    const BuildRef whole = ref;
+                    build::clip(whole, corners, split.axis, plane, ref, refs_[end++]);
+                    ++middle;
+                    break;
+                }
+            }
+        }
+        left = cutter_.measured(range.begin, middle);
+        right = cutter_.measured(middle, end);
+    }
+
+    // The room left over goes to both parts by their sizes; the right one moves behind the left one's.
+    std::pair<Plot, Plot> deal_out(const Plot& plot, const Range& left, Range& right) {
+        const std::size_t room = plot.limit - right.end;
+        const std::size_t shift = room * left.size() / (left.size() + right.size());
+        if (shift > 0) {
+            std::move_backward(refs_.begin() + static_cast<std::ptrdiff_t>(right.begin),
+                               refs_.begin() + static_cast<std::ptrdiff_t>(right.end),
+                               refs_.begin() + static_cast<std::ptrdiff_t>(right.end + shift));
+            right.begin += shift;
+            right.end += shift;
+        }
+        return {{left, right.begin}, {right, plot.limit}};
+    }
+
+    // Leaf by leaf; leaves then name ranges of `items`.
+    void gather(std::uint32_t at, Unfilled<std::uint32_t>& items) {
+        BinaryNode& node = pool_[at];
+        if (!node.is_leaf()) {
+            gather(node.first, items);
+            gather(node.first + 1, items);
+            return;
+        }
+        const std::size_t first = node.first;
+        node.first = static_cast<std::uint32_t>(items.size());
+        for (std::size_t i = 0; i < node.count; ++i) items.push_back(refs_[first + i].item);
+    }
+
+    std::size_t count_;
+    Unfilled<BuildRef> refs_;
+    const MeshView& mesh_;
+    kernel::MeshArrays arrays_;
+    build::RangeCutter cutter_;
+    build::NodePool pool_;
+    const kernel::BuildKernels& kernels_;
+    float root_area_ = 0.0f;
+};
+
+}  // namespace
+
+BinaryTree build_spatial_tree(Unfilled<BuildRef> refs, const MeshView& mesh, const SplitCosts& costs) {
+    return SpatialBuilder(std::move(refs), mesh, costs).run();
+}
+
+}  // namespace rc
