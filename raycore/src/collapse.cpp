@@ -13,6 +13,8 @@ namespace {
 
 // A subtree with fewer refs is one thread's work.
 constexpr std::uint32_t kParallelRefs = 4096;
+// In shares of the root's surface: a node is never for nothing, so where all surfaces vanish few nodes are best.
+constexpr float kSurfaceOfNode = 1e-7f;
 
 // Follows a path down the binary tree whose first leaf stands in for lanes that are empty.
 std::uint32_t first_leaf(const BinaryNode* binary) {
@@ -21,8 +23,22 @@ std::uint32_t first_leaf(const BinaryNode* binary) {
     return at;
 }
 
+// What a binary subtree costs when it may take up to i lanes of the node above it, for i = 1 ... 8: the surfaces of all
+// wide nodes in it, in shares of the root's, and how many they are.
+struct Costs {
+    float area[kernel::kWidth + 1] = {};
+    std::uint32_t nodes[kernel::kWidth + 1] = {};
+};
+
+// How many of i lanes go to the left child of a binary node; 0 where one lane less is as good. lefts[1] is how many of
+// all eight go left when the node is made a wide one itself.
+struct Plan {
+    std::uint8_t lefts[kernel::kWidth + 1];
+};
+
 // `Leaves` says how a leaf is named, what its lane's word is, and how a node's word comes from its lanes' and the
-// number of nodes below it. Twice over the tree: counting, so that every node knows its place, and writing.
+// number of nodes below it. Twice over the tree: upwards to find the cheapest set of wide nodes, whose number tells
+// every node its place, and downwards to write them.
 template <class Leaves>
 class Collapse {
   public:
@@ -30,6 +46,7 @@ class Collapse {
         : binary_(tree.nodes.get()),
           leaves_(leaves),
           harmless_leaf_(leaves.code(binary_[first_leaf(binary_)])),
+          plans_(std::make_unique_for_overwrite<Plan[]>(tree.size)),
           sizes_(std::make_unique_for_overwrite<std::uint32_t[]>(tree.size)) {}
 
     WideTree run() {
@@ -38,7 +55,9 @@ class Collapse {
             tree.root = leaves_.code(binary_[0]);
             return tree;
         }
-        tree.nodes.resize(count(0));
+        const float area = half_area(binary_[0]), per_area = 1.0f / area;
+        per_root_area_ = area > 0.0f && per_area < std::numeric_limits<float>::infinity() ? per_area : 0.0f;
+        tree.nodes.resize(plan(0).nodes[1]);
         nodes_ = tree.nodes.data();
         write(0, 0);
         tree.root = 0;
@@ -55,23 +74,50 @@ class Collapse {
         }
     }
 
-    // Wide nodes of the subtree opened at `at`.
-    std::uint32_t count(std::uint32_t at) {
-        std::uint32_t lanes[kernel::kWidth];
-        const int n = gather(at, lanes);
-        for_lanes(binary_[at].size() >= kParallelRefs, n, [&](int i) {
-            if (!binary_[lanes[i]].is_leaf()) (void)count(lanes[i]);
-        });
-        std::uint32_t size = 1;
-        for (int i = 0; i < n; ++i)
-            if (!binary_[lanes[i]].is_leaf()) size += sizes_[lanes[i]];
-        return sizes_[at] = size;
+    // The least surface of wide nodes, for any number of lanes: dynamic programming (Ylitie, Karras, Laine 2017).
+    Costs plan(std::uint32_t at) {
+        const BinaryNode& node = binary_[at];
+        if (node.is_leaf()) return {};
+        Costs sides[2];
+        for_lanes(node.size() >= kParallelRefs, 2,
+                  [&](int i) { sides[i] = plan(node.first + static_cast<std::uint32_t>(i)); });
+        const auto& [left, right] = sides;
+        Costs costs;
+        costs.area[1] = std::numeric_limits<float>::infinity();
+        for (int i = 2; i <= kernel::kWidth; ++i) {
+            int best = 0;
+            float area = costs.area[i - 1];
+            for (int k = 1; k < i; ++k) {
+                const float sum = left.area[k] + right.area[i - k];
+                if (sum < area) {
+                    area = sum;
+                    best = k;
+                }
+            }
+            plans_[at].lefts[i] = static_cast<std::uint8_t>(best);
+            costs.area[i] = area;
+            costs.nodes[i] = best == 0 ? costs.nodes[i - 1] : left.nodes[best] + right.nodes[i - best];
+        }
+        int lanes = kernel::kWidth;  // of the node this becomes when it gets one lane
+        while (lanes > 2 && plans_[at].lefts[lanes] == 0) --lanes;
+        plans_[at].lefts[1] = plans_[at].lefts[lanes];
+        costs.area[1] = costs.area[kernel::kWidth] + half_area(node) * per_root_area_ + kSurfaceOfNode;
+        costs.nodes[1] = sizes_[at] = 1 + costs.nodes[kernel::kWidth];
+        // One lane may do better than several: then several make no use of the others.
+        for (int i = 2; i <= kernel::kWidth; ++i) {
+            if (costs.area[i] < costs.area[1]) break;
+            plans_[at].lefts[i] = 0;
+            costs.area[i] = costs.area[1];
+            costs.nodes[i] = costs.nodes[1];
+        }
+        return costs;
     }
 
     // The word of the node that is written at `index`.
     std::uint32_t write(std::uint32_t at, std::uint32_t index) {
         std::uint32_t lanes[kernel::kWidth];
-        const int n = gather(at, lanes);
+        int n = 0;
+        open(at, kernel::kWidth, plans_[at].lefts[1], lanes, n);
         kernel::WideNode& node = nodes_[index];
         for (int i = n; i < kernel::kWidth; ++i) clear_lane(node, i, harmless_leaf_);
         std::uint32_t next = index + 1;
@@ -93,32 +139,30 @@ class Collapse {
         return leaves_.word_of_node(words, sizes_[at]);
     }
 
-    // Opens the largest child again and again until eight stand side by side.
-    int gather(std::uint32_t at, std::uint32_t lanes[kernel::kWidth]) const {
-        float areas[kernel::kWidth];  // below zero for leaves
-        const auto place = [&](int i, std::uint32_t child) {
-            lanes[i] = child;
-            areas[i] = binary_[child].is_leaf() ? -1.0f : half_area(binary_[child]);
-        };
-        place(0, binary_[at].first);
-        place(1, binary_[at].first + 1);
-        int n = 2;
-        while (n < kernel::kWidth) {
-            int largest = 0;
-            for (int i = 1; i < n; ++i)
-                if (areas[i] > areas[largest]) largest = i;
-            if (areas[largest] < 0.0f) break;
-            const std::uint32_t opened = binary_[lanes[largest]].first;
-            place(largest, opened);
-            place(n++, opened + 1);
+    // Gives the children of `at` the lanes that were planned for them.
+    void open(std::uint32_t at, int share, int lefts, std::uint32_t lanes[kernel::kWidth], int& n) const {
+        settle(binary_[at].first, lefts, lanes, n);
+        settle(binary_[at].first + 1, share - lefts, lanes, n);
+    }
+    void settle(std::uint32_t at, int share, std::uint32_t lanes[kernel::kWidth], int& n) const {
+        if (binary_[at].is_leaf()) {
+            lanes[n++] = at;
+            return;
         }
-        return n;
+        while (share > 1 && plans_[at].lefts[share] == 0) --share;
+        if (share == 1) {
+            lanes[n++] = at;
+        } else {
+            open(at, share, plans_[at].lefts[share], lanes, n);
+        }
     }
 
     const BinaryNode* binary_;
     const Leaves& leaves_;
     std::uint32_t harmless_leaf_;
-    std::unique_ptr<std::uint32_t[]> sizes_;
+    float per_root_area_ = 0.0f;
+    std::unique_ptr<Plan[]> plans_;
+    std::unique_ptr<std::uint32_t[]> sizes_;  // wide nodes below, and itself, when opened
     kernel::WideNode* nodes_ = nullptr;
 };
 
