@@ -163,8 +163,11 @@ void Loop::draw() {
         frame_watch_.enter("render");
         const Clock::time_point start = Clock::now();
         view_.resize(size.x, size.y);
-        view_.expose({*session_.level, *now, *session_.prepared}, camera, kWindowSettings, frame_,
-                     *session_.jobs);
+        if (!seen_before_ || seen_before_->state.tick > now->state.tick) view_.forget();
+        view_.expose_next({*session_.level, *now, *session_.prepared, seen_before_.get()}, camera,
+                          kWindowSettings, frame_, resolution_.shown_size(size, window_.framebuffer_size()),
+                          *session_.jobs);
+        seen_before_ = now;
         frame_watch_.enter("filter");
         view_.develop(frame_, picture_seconds_, settings_.brightness, *session_.jobs);
         const float ticks_ms = tick_watch_.round_ms() * settings_.frames_a_second / 60.0f;

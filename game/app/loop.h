@@ -62,6 +62,7 @@ class Loop {
     Clock::time_point last_time_ = Clock::now();
     float owed_seconds_ = 0.0f;     // of simulation
     float picture_seconds_ = 0.0f;  // since the last picture
+    std::shared_ptr<const world::Snapshot> seen_before_;  // in the last picture
     std::uint32_t frame_ = 0;
     std::uint32_t seed_ = 0;
     bool is_paused_ = false;

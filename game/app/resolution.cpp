@@ -37,4 +37,8 @@ glm::ivec2 Resolution::size_for(glm::ivec2 framebuffer) const {
     return {multiple_of_8(width * scale), multiple_of_8(height * scale)};
 }
 
+glm::ivec2 Resolution::shown_size(glm::ivec2 rendered, glm::ivec2 framebuffer) {
+    return {std::min(2 * rendered.x, framebuffer.x), std::min(2 * rendered.y, framebuffer.y)};
+}
+
 }  // namespace gh::app

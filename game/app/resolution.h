@@ -18,6 +18,9 @@ class Resolution {
     // {0, 0} for one without area.
     [[nodiscard]] glm::ivec2 size_for(glm::ivec2 framebuffer) const;
 
+    // The size to add such pictures up to: twice each side, at most the framebuffer.
+    [[nodiscard]] static glm::ivec2 shown_size(glm::ivec2 rendered, glm::ivec2 framebuffer);
+
     [[nodiscard]] float pixels() const { return pixels_; }
 
   private:

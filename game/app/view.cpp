@@ -72,12 +72,32 @@ void View::resize(int width, int height) {
 void View::expose(const render::SceneView& scene, const render::Camera& camera,
                   const render::WhittedSettings& settings, std::uint32_t frame, const Jobs& jobs) {
     render::render_whitted(scene, camera, settings, frame, jobs, film_);
+    is_added_up_ = false;
+}
+
+void View::expose_next(const render::SceneView& scene, const render::Camera& camera,
+                       render::WhittedSettings settings, std::uint32_t frame, glm::ivec2 shown,
+                       const Jobs& jobs) {
+    settings.jitter = filter::halton_jitter(frame);
+    settings.notes_things = true;
+    expose(scene, camera, settings, frame, jobs);
+    const render::Lens lens(camera, film_.radiance.width, film_.radiance.height);
+    const filter::JitteredFrame next{
+        .radiance = film_.radiance,
+        .lens = {.eye = lens.position(), .corner = lens.corner(), .right = lens.right(), .down = lens.down()},
+        .jitter = settings.jitter,
+        .part = film_.seen.part,
+        .position = film_.seen.position,
+        .previous = film_.seen.previous};
+    upscaler_.add(next, shown, jobs, added_up_);
+    is_added_up_ = true;
 }
 
 const Image8& View::develop(std::uint32_t frame, float seconds, float stops, const Jobs& jobs) {
-    exposure_ = exposure_ == 0.0f ? filter::metered_exposure(film_.radiance)
-                                  : filter::adapted_exposure(film_.radiance, exposure_, seconds);
-    filter::tone_map(film_.radiance, exposure_ * std::exp2(stops), frame, jobs, picture_);
+    const Image& radiance = is_added_up_ ? added_up_ : film_.radiance;
+    exposure_ = exposure_ == 0.0f ? filter::metered_exposure(radiance)
+                                  : filter::adapted_exposure(radiance, exposure_, seconds);
+    filter::tone_map(radiance, exposure_ * std::exp2(stops), frame, jobs, picture_);
     return picture_;
 }
 

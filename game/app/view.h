@@ -4,11 +4,14 @@
 #include "base/image.h"
 #include "base/jobs.h"
 #include "base/result.h"
+#include "filter/temporal_upscale.h"
 #include "render/camera.h"
 #include "render/film.h"
 #include "render/whitted.h"
 #include "world/level.h"
 #include "world/snapshot.h"
+
+#include <glm/vec2.hpp>
 
 #include <cstdint>
 #include <string>
@@ -34,7 +37,13 @@ class View {
     // Fills the film.
     void expose(const render::SceneView& scene, const render::Camera& camera,
                 const render::WhittedSettings& settings, std::uint32_t frame, const Jobs& jobs);
-    // The film as a screen shows it. `seconds` since the last picture: the eye adapts, the first time at once. `stops`
+    // The same for one of many pictures in a row: samples lie elsewhere in every frame, and frames are added up to
+    // `shown` pixels. `forget` begins anew, after a cut.
+    void expose_next(const render::SceneView& scene, const render::Camera& camera,
+                     render::WhittedSettings settings, std::uint32_t frame, glm::ivec2 shown,
+                     const Jobs& jobs);
+    void forget() { upscaler_.forget(); }
+    // What was exposed last as a screen shows it. `seconds` since the last picture: the eye adapts, the first time at once. `stops`
     // brightens.
     const Image8& develop(std::uint32_t frame, float seconds, float stops, const Jobs& jobs);
 
@@ -43,6 +52,9 @@ class View {
 
   private:
     render::Film film_;
+    filter::TemporalUpscaler upscaler_;
+    Image added_up_;
+    bool is_added_up_ = false;  // the last picture is there, not in the film
     Image8 picture_;
     float exposure_ = 0.0f;  // 0: none yet
 };

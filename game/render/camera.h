@@ -40,6 +40,12 @@ class Lens {
     // Opening of the cone that one pixel covers at the picture's centre, in radians: what textures are filtered by.
     [[nodiscard]] float pixel_angle() const { return pixel_angle_; }
 
+    // ray() before it is made unit: from position() along corner() + x * right() + y * down().
+    [[nodiscard]] const glm::vec3& position() const { return position_; }
+    [[nodiscard]] const glm::vec3& corner() const { return corner_; }
+    [[nodiscard]] const glm::vec3& right() const { return right_; }
+    [[nodiscard]] const glm::vec3& down() const { return down_; }
+
   private:
     glm::vec3 position_;
     glm::vec3 corner_;  // direction to the top left corner of the picture plane at distance 1

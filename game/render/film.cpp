@@ -13,4 +13,11 @@ FrameStats& FrameStats::operator+=(const FrameStats& other) {
     return *this;
 }
 
+void SeenThings::resize(std::size_t pixels) {
+    part.resize(pixels);
+    position.resize(pixels);
+    previous.resize(pixels);
+    normal.resize(pixels);
+}
+
 }  // namespace gh::render

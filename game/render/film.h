@@ -3,7 +3,11 @@
 
 #include "base/image.h"
 
+#include <glm/vec3.hpp>
+
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace gh::render {
 
@@ -25,8 +29,23 @@ struct FrameStats {
     FrameStats& operator+=(const FrameStats& other);
 };
 
+// What each pixel shows, for filters that follow it from frame to frame. A pixel that looks into a mirror describes what
+// is seen there, unfolded: it lies on the straight line through the pixel, at the whole length of the way.
+struct SeenThings {
+    static constexpr std::uint32_t kNone = 0xFFFFFFFFu;  // sky
+
+    std::vector<std::uint32_t>
+        part;  // the same thing has the same number in every frame; another image of it another
+    std::vector<glm::vec3> position;  // world
+    std::vector<glm::vec3> previous;  // where that point of that thing was in the picture before
+    std::vector<glm::vec3> normal;    // unit, of the triangle, towards the eye
+
+    void resize(std::size_t pixels);
+};
+
 struct Film {
-    Image radiance;  // linear, scene-referred; its size is the picture's size
+    Image radiance;   // linear, scene-referred; its size is the picture's size
+    SeenThings seen;  // empty unless asked for
     FrameStats stats;
 
     Film() = default;

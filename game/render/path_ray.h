@@ -44,6 +44,10 @@ class MediumStack {
 };
 
 struct PathRay {
+    // What it does at a mirror.
+    void note_mirror(const glm::vec3& normal) {
+        if (mirrors < mirror_normals.size()) mirror_normals[mirrors++] = normal;
+    }
     glm::vec3 from{0.0f};    // where the ray starts, exactly: its origin is a little off the surface
     rc::Ray ray;             // direction unit
     glm::vec3 weight{1.0f};  // what its light counts in the pixel
@@ -52,9 +56,13 @@ struct PathRay {
         0;  // of mirrors and glass it came by: pixels with the same chain see the same image
     float cone_width = 0.0f;  // of the pixel's cone at the origin, metres
     float cone_angle = 0.0f;
+    float length = 0.0f;  // of the way so far, metres
+    // Of the first two mirrors on its way, which unfold what is seen in them.
+    std::array<glm::vec3, 2> mirror_normals{};
     float bulb_share = 1.0f;  // of a lamp's bulb it sees; the rest is in the highlight already
     std::uint16_t pixel = 0;  // of the tile
     std::uint8_t depth = 0;   // mirrors and borders of glass so far
+    std::uint8_t mirrors = 0;
     std::uint8_t passes = 0;  // holes in leaves so far
     bool is_leading = true;   // carries the pixel's main surface: its samples are shared with neighbours
     bool is_glimmer = false;  // mirrored by the main surface, whose own light counts more

@@ -3,6 +3,7 @@
 
 #include "base/image.h"
 #include "base/jobs.h"
+#include "render/film.h"
 
 #include <glm/vec3.hpp>
 
@@ -25,6 +26,9 @@ struct PixelLight {
     glm::vec3 position{0.0f};
     glm::vec3 normal{0.0f};
     float size = 0.0f;  // of the pixel there, metres; 0: no surface
+    // The same as Film::seen tells it.
+    std::uint32_t part = SeenThings::kNone;
+    glm::vec3 unfolded{0.0f}, previous{0.0f}, facing{0.0f};
 };
 
 // Adds it up. With `shares`, the share of the light that gets through is averaged over 5x5 neighbours on the same

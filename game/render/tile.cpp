@@ -49,7 +49,7 @@ void TileTracer::trace(int tile_x, int tile_y, std::vector<PixelLight>& pixels, 
 
 void TileTracer::trace_sample(FrameStats& stats) {
     main_.clear(pixels_.size());
-    add_primary_rays(sample_);
+    add_primary_rays();
     stats.primary_rays += now_.size();
     trace_all(stats);
     main_.begin_light();
@@ -69,23 +69,27 @@ void TileTracer::trace_all(FrameStats& stats) {
 }
 
 // The first sample of one goes through the middle, so that a still world stands still; more spread over the pixel.
-void TileTracer::add_primary_rays(int sample) {
+void TileTracer::add_primary_rays() {
     now_.clear();
     for (int i = 0; i < columns_ * rows_; ++i) {
         const int x = x_ + i % columns_, y = y_ + i / columns_;
-        glm::vec2 at(0.5f);
-        if (frame_.settings.samples_per_pixel > 1) {
-            at =
-                sobol_point(static_cast<std::uint32_t>(sample),
-                            hash_u32(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0xA11A5u));
-        }
         PathRay path;
-        path.ray = frame_.lens.ray(glm::vec2(static_cast<float>(x), static_cast<float>(y)) + at);
+        path.ray = frame_.lens.ray(pixel_point(x, y));
         path.from = path.ray.origin;
         path.cone_angle = frame_.lens.pixel_angle();
         path.pixel = static_cast<std::uint16_t>(i);
         now_.push_back(path);
     }
+}
+
+// Where this sample's ray goes through the pixel.
+glm::vec2 TileTracer::pixel_point(int x, int y) const {
+    glm::vec2 at = glm::vec2(0.5f) + frame_.settings.jitter;
+    if (frame_.settings.samples_per_pixel > 1) {
+        at = sobol_point(static_cast<std::uint32_t>(sample_),
+                         hash_u32(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0xA11A5u));
+    }
+    return glm::vec2(static_cast<float>(x), static_cast<float>(y)) + at;
 }
 
 void TileTracer::trace_generation(FrameStats& stats) {
@@ -121,6 +125,7 @@ void TileTracer::shade_miss(const PathRay& path) {
 
 void TileTracer::shade(PathRay path, const rc::Hit& hit, FrameStats& stats) {
     path.cone_width += path.cone_angle * hit.t;
+    path.length += hit.t;
     const ShadingPoint at =
         shading_point(frame_.view, path.ray, hit, path.cone_width,
                       path.is_leading ? frame_.settings.texture_taps
@@ -146,7 +151,7 @@ void TileTracer::shade(PathRay path, const rc::Hit& hit, FrameStats& stats) {
     if (clear < 1.0f) {
         path.weight *= 1.0f - clear;
         path.is_leading = path.is_leading && clear < 0.5f;
-        shade_opaque(path, at, stats);
+        shade_opaque(path, at, hit, stats);
     }
 }
 

@@ -70,7 +70,8 @@ class TileTracer {
 
     // tile.cpp: where rays go.
     void trace_sample(FrameStats& stats);
-    void add_primary_rays(int sample);
+    void add_primary_rays();
+    [[nodiscard]] glm::vec2 pixel_point(int x, int y) const;
     void trace_all(FrameStats& stats);
     void trace_generation(FrameStats& stats);
     void trace_shadows(FrameStats& stats);
@@ -79,7 +80,7 @@ class TileTracer {
     [[nodiscard]] bool pass_through_hole(PathRay& path, const ShadingPoint& at, FrameStats& stats);
     // tile_glass.cpp, tile_opaque.cpp: what becomes of one at a surface.
     void shade_glass(const PathRay& path, const ShadingPoint& at, FrameStats& stats);
-    void shade_opaque(const PathRay& path, const ShadingPoint& at, FrameStats& stats);
+    void shade_opaque(const PathRay& path, const ShadingPoint& at, const rc::Hit& hit, FrameStats& stats);
     // tile_light.cpp: what reaches a surface, into arrivals_.
     [[nodiscard]] SurfaceLight collect_light(const SeenSurface& surface);
     void collect_lamps(const SeenSurface& surface, SurfaceLight& light);
@@ -109,7 +110,8 @@ class TileTracer {
     template <class Blend>
     void visit_pass(int pass, Blend blend);
 
-    void note_surface(const PathRay& path, const ShadingPoint& at);
+    void note_surface(const PathRay& path, const ShadingPoint& at, const rc::Hit& hit);
+    void note_thing(const PathRay& path, const ShadingPoint& at, const rc::Hit& hit, PixelLight& light) const;
     void add_main_light();
     [[nodiscard]] float light_so_far(std::uint16_t surface) const;
     [[nodiscard]] glm::vec3& light_of(std::uint16_t pixel, Share share);

@@ -45,6 +45,7 @@ void TileTracer::shade_glass(const PathRay& path, const ShadingPoint& at, FrameS
     mirrored.chain = hash_u32(path.chain, at.part, 1);
     mirrored.weight *= mirrored_share;
     mirrored.depth = bent.depth;
+    mirrored.note_mirror(at.normal);
     bent.is_leading = path.is_leading && mirrored_share <= 0.5f;
     mirrored.is_leading = path.is_leading && mirrored_share > 0.5f;
 

@@ -102,13 +102,4 @@ void TileTracer::collect_ambient(const SeenSurface& surface, SurfaceLight& out) 
     }
 }
 
-void TileTracer::note_surface(const PathRay& path, const ShadingPoint& at) {
-    PixelLight& light = pixels_[path.pixel];
-    if (light.size > 0.0f) return;  // the first sample speaks for the pixel
-    light.position = at.surface.position;
-    light.normal = at.geometric;
-    const float cosine = std::max(0.05f, -glm::dot(path.ray.direction, at.geometric));
-    light.size = path.cone_width / cosine;
-}
-
 }  // namespace gh::render

@@ -15,7 +15,8 @@ namespace {
 // Roughness: below the first pair a bulb is seen in the mirrored ray, above it as a highlight; above the second pair
 // no ray is sent and the ambient light stands in for what is mirrored.
 constexpr float kMirrorBelow = 0.06f, kHighlightAbove = 0.14f;
-constexpr float kRayBelow = 0.3f, kNoRayAbove = 0.5f;
+constexpr float kRayBelow = 0.15f, kNoRayAbove = 0.25f;           // dielectrics
+constexpr float kMetalRayBelow = 0.25f, kNoMetalRayAbove = 0.4f;  // whose reflection is all they show
 constexpr float kDull = 0.6f,
                 kDullest = 0.8f;  // highlights of rough dielectrics fade into their diffuse light
 
@@ -36,7 +37,8 @@ float worth(float weight, float least) {
 
 }  // namespace
 
-void TileTracer::shade_opaque(const PathRay& path, const ShadingPoint& at, FrameStats& stats) {
+void TileTracer::shade_opaque(const PathRay& path, const ShadingPoint& at, const rc::Hit& hit,
+                              FrameStats& stats) {
     const glm::vec3 to_eye = -path.ray.direction;
     const float cos_eye = glm::dot(at.normal, to_eye);
     const glm::vec3 f0 =
@@ -45,10 +47,12 @@ void TileTracer::shade_opaque(const PathRay& path, const ShadingPoint& at, Frame
     const glm::vec3 glossy = frame_.gloss.albedo(f0, f90, cos_eye, at.roughness);
     const glm::vec3 diffuse = at.base_color * ((1.0f - at.metallic) * (1.0f - brightest(glossy)));
 
-    const float ray_share = path.depth < frame_.settings.max_depth
-                                ? (1.0f - smooth_step(kRayBelow, kNoRayAbove, at.roughness)) *
-                                      worth(brightest(path.weight * glossy), frame_.settings.min_weight)
-                                : 0.0f;
+    const float ray_share =
+        path.depth < frame_.settings.max_depth
+            ? (1.0f - smooth_step(glm::mix(kRayBelow, kMetalRayBelow, at.metallic),
+                                  glm::mix(kNoRayAbove, kNoMetalRayAbove, at.metallic), at.roughness)) *
+                  worth(brightest(path.weight * glossy), frame_.settings.min_weight)
+            : 0.0f;
     const float highlight_share = smooth_step(kMirrorBelow, kHighlightAbove, at.roughness);
     const float shine =
         highlight_share * (1.0f - (1.0f - at.metallic) * smooth_step(kDull, kDullest, at.roughness));
@@ -64,7 +68,7 @@ void TileTracer::shade_opaque(const PathRay& path, const ShadingPoint& at, Frame
                         .gloss = {at.normal, to_eye, f0 * shine, f90 * shine, alpha}};
     surface.path.is_leading = path.is_leading && !is_mirror;
     if (share_of(surface.path) == Share::Neighbours) {
-        note_surface(path, at);
+        note_surface(path, at, hit);
         main_.add(surface);
         return;  // lit, and its mirrored ray sent, once its neighbours are known
     }
@@ -90,6 +94,7 @@ PathRay TileTracer::mirrored_ray(const SeenSurface& surface) const {
     mirrored.cone_angle += 2.0f * surface.gloss.alpha;  // a rough mirror blurs textures at least
     mirrored.depth = static_cast<std::uint8_t>(surface.path.depth + 1);
     mirrored.chain = hash_u32(surface.path.chain, surface.at.part, 1);
+    mirrored.note_mirror(surface.at.normal);
     mirrored.is_leading = false;
     return mirrored;
 }

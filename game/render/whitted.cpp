@@ -9,6 +9,20 @@
 
 namespace gh::render {
 
+namespace {
+
+void note_things(const std::vector<PixelLight>& pixels, SeenThings& seen) {
+    seen.resize(pixels.size());
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        seen.part[i] = pixels[i].part;
+        seen.position[i] = pixels[i].unfolded;
+        seen.previous[i] = pixels[i].previous;
+        seen.normal[i] = pixels[i].facing;
+    }
+}
+
+}  // namespace
+
 void render_whitted(const SceneView& scene, const Camera& camera, const WhittedSettings& settings,
                     std::uint32_t frame, const Jobs& jobs, Film& film) {
     EXPECTS(settings.samples_per_pixel >= 1 && settings.shadow_samples >= 1);
@@ -39,6 +53,7 @@ void render_whitted(const SceneView& scene, const Camera& camera, const WhittedS
     });
     for (const FrameStats& tile : stats) film.stats += tile;
     develop(pixels, settings.shares_samples, jobs, film.radiance);
+    if (settings.notes_things) note_things(pixels, film.seen);
 }
 
 }  // namespace gh::render

@@ -19,6 +19,8 @@
 #include "render/prepared.h"
 #include "render/scene_view.h"
 
+#include <glm/vec2.hpp>
+
 #include <cstdint>
 
 namespace gh::render {
@@ -40,7 +42,11 @@ struct WhittedSettings {
     // What is seen and its texture are exact in every pixel. What is smaller than five pixels and shows in the light
     // alone, a thin shadow or a small highlight, may be missed.
     bool is_adaptive = false;
-    float contrast = 0.15f;
+    float contrast = 0.25f;
+    // Where in its pixel the only sample lies, from the middle, in [-0.5, 0.5): turned from frame to frame by what adds
+    // frames up.
+    glm::vec2 jitter{0.0f};
+    bool notes_things = false;  // fills Film::seen
 };
 
 // Fills film.radiance (of the size it has) and film.stats. `frame` turns the sampling pattern; a still uses 0.

@@ -32,20 +32,25 @@ void bench_frames(const std::shared_ptr<const world::Level>& level, int threads,
 
     for (const auto& [width, height] : {std::pair(640, 360), std::pair(1280, 720)}) {
         const std::string size = std::to_string(width) + "x" + std::to_string(height);
-        print_head(("a Whitted frame, wall time, " + size).c_str());
-        const std::size_t count = std::min(kCameras, level->viewpoints.size());
-        for (std::size_t i = 0; i < count; ++i) {
-            const world::Viewpoint& viewpoint = level->viewpoints[i * level->viewpoints.size() / count];
-            render::Film film(width, height);
-            const double core_start = cpu_ms();
-            const Samples samples = measure(clock_ms, rounds, 1, [&](int) {
-                render::render_whitted({*level, now, prepared}, render::camera_from(viewpoint), {}, 0, jobs,
-                                       film);
-            });
-            print_row(viewpoint.name, samples, picture_hash(film.radiance));
-            std::printf("  (core time %.1f ms a frame; %.2f M rays, %.1f a pixel)\n",
-                        (cpu_ms() - core_start) / rounds, static_cast<double>(film.stats.total()) * 1e-6,
-                        static_cast<double>(film.stats.total()) / (width * height));
+        for (const bool is_adaptive : {false, true}) {
+            const render::WhittedSettings settings{.is_adaptive = is_adaptive};
+            print_head(("a Whitted frame, " + std::string(is_adaptive ? "adaptive, " : "every pixel, ") +
+                        "wall time, " + size)
+                           .c_str());
+            const std::size_t count = std::min(kCameras, level->viewpoints.size());
+            for (std::size_t i = 0; i < count; ++i) {
+                const world::Viewpoint& viewpoint = level->viewpoints[i * level->viewpoints.size() / count];
+                render::Film film(width, height);
+                const double core_start = cpu_ms();
+                const Samples samples = measure(clock_ms, rounds, 1, [&](int) {
+                    render::render_whitted({*level, now, prepared}, render::camera_from(viewpoint), settings,
+                                           0, jobs, film);
+                });
+                print_row(viewpoint.name, samples, picture_hash(film.radiance));
+                std::printf("  (core time %.1f ms a frame; %.2f M rays, %.1f a pixel)\n",
+                            (cpu_ms() - core_start) / rounds, static_cast<double>(film.stats.total()) * 1e-6,
+                            static_cast<double>(film.stats.total()) / (width * height));
+            }
         }
     }
 }

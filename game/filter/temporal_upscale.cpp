@@ -1,0 +1,213 @@
+#include "filter/temporal_upscale.h"
+
+#include "base/contracts.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gh::filter {
+
+namespace {
+
+constexpr float kStillWeight = 10.0f;  // samples a mean goes over where nothing moves ...
+constexpr float kMovingWeight = 2.0f;  // ... and where each frame moves it, which blurs it a little
+constexpr float kNearness = 1.2f;      // a sample d large pixels away counts exp(-kNearness d^2) ...
+constexpr float kLeastCount = 0.03f;   // ... at least this
+constexpr float kSlack = 0.15f;        // of the range of colours around, beyond which nothing is believed
+constexpr float kFar = 1e4f;           // metres to the sky
+
+bool is_finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+// Where a picture point that shows `p` lies, in widths and heights of the picture; far outside behind the eye.
+glm::vec2 place_of(const glm::vec3& p, const glm::vec3& eye, const glm::mat3& picture_from_world,
+                   const glm::ivec2& size) {
+    const glm::vec3 at = picture_from_world * (p - eye);
+    if (!(at.z > 0.0f)) return glm::vec2(-10.0f);
+    return glm::vec2(at.x, at.y) / (at.z * glm::vec2(size));
+}
+
+glm::mat3 picture_from_world(const Pinhole& lens) {
+    return glm::inverse(glm::mat3(lens.right, lens.down, lens.corner));
+}
+
+// Weights of the four numbers around a place `t` after the second.
+std::array<float, 4> catmull_rom(float t) {
+    const float t2 = t * t, t3 = t2 * t;
+    return {0.5f * (2.0f * t2 - t3 - t), 0.5f * (3.0f * t3 - 5.0f * t2 + 2.0f),
+            0.5f * (4.0f * t2 - 3.0f * t3 + t), 0.5f * (t3 - t2)};
+}
+
+float radical_inverse(std::uint32_t i, std::uint32_t base) {
+    float result = 0.0f, digit = 1.0f / static_cast<float>(base);
+    for (; i > 0; i /= base, digit /= static_cast<float>(base))
+        result += static_cast<float>(i % base) * digit;
+    return result;
+}
+
+}  // namespace
+
+glm::vec2 halton_jitter(std::uint32_t i) {
+    constexpr std::uint32_t kPeriod = 32;
+    const std::uint32_t n = i % kPeriod + 1;
+    return glm::vec2(radical_inverse(n, 2), radical_inverse(n, 3)) - 0.5f;
+}
+
+void TemporalUpscaler::gather_row(const JitteredFrame& frame, int y) {
+    const int width = frame.radiance.width, height = frame.radiance.height;
+    const glm::ivec2 size(width, height);
+    const glm::mat3 to_before = picture_from_world(before_);
+    for (int x = 0; x < width; ++x) {
+        const std::size_t i = frame.radiance.index(x, y);
+        Sample& sample = samples_[i];
+        sample.color = frame.radiance.pixels[i];
+        if (!is_finite(sample.color)) sample.color = glm::vec3(0.0f);
+        sample.low = sample.high = sample.color;
+        for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v) {
+            for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u) {
+                const glm::vec3& color = frame.radiance.pixels[frame.radiance.index(u, v)];
+                sample.low = glm::min(sample.low, color);
+                sample.high = glm::max(sample.high, color);
+            }
+        }
+        sample.part = frame.part[i];
+        const glm::vec2 at = (glm::vec2(x, y) + 0.5f + frame.jitter);
+        glm::vec3 was = frame.previous[i];
+        sample.distance = glm::distance(frame.lens.eye, frame.position[i]);
+        if (sample.part == kNoSurface) {
+            const glm::vec3 way = frame.lens.corner + frame.lens.right * at.x + frame.lens.down * at.y;
+            was = frame.lens.eye + glm::normalize(way) * kFar;
+            sample.distance = kFar;
+        }
+        sample.motion = has_history_
+                            ? place_of(was, before_.eye, to_before, before_size_) - at / glm::vec2(size)
+                            : glm::vec2(0.0f);
+    }
+}
+
+// What is kept around a place: the colour by a sharp filter, since a mean is moved in every frame and a bilinear one
+// would blur it each time; weight 0 outside the picture.
+TemporalUpscaler::Kept TemporalUpscaler::kept_at(const glm::vec2& place) const {
+    const glm::vec2 at = place * glm::vec2(size_) - 0.5f;
+    if (!(at.x > -1.0f) || !(at.y > -1.0f) || !(at.x < static_cast<float>(size_.x)) ||
+        !(at.y < static_cast<float>(size_.y)))
+        return {};
+    const glm::vec2 floor = glm::floor(at);
+    const glm::ivec2 low(floor);
+    const auto kept = [&](int x, int y) -> const Kept& {
+        return kept_[static_cast<std::size_t>(std::clamp(y, 0, size_.y - 1)) *
+                         static_cast<std::size_t>(size_.x) +
+                     static_cast<std::size_t>(std::clamp(x, 0, size_.x - 1))];
+    };
+    const glm::vec2 share = at - floor;
+    const Kept& nearest = kept(low.x + (share.x < 0.5f ? 0 : 1), low.y + (share.y < 0.5f ? 0 : 1));
+    if (share == glm::vec2(0.0f)) return nearest;
+    const std::array<float, 4> across = catmull_rom(share.x), down = catmull_rom(share.y);
+    Kept result{.color = glm::vec3(0.0f), .weight = nearest.weight, .part = nearest.part};
+    for (int y = 0; y < 4; ++y) {
+        glm::vec3 row(0.0f);
+        for (int x = 0; x < 4; ++x)
+            row += kept(low.x + x - 1, low.y + y - 1).color * across[static_cast<std::size_t>(x)];
+        result.color += row * down[static_cast<std::size_t>(y)];
+    }
+    return result;
+}
+
+TemporalUpscaler::Kept TemporalUpscaler::renewed(const JitteredFrame& frame, int x, int y) const {
+    const int width = frame.radiance.width, height = frame.radiance.height;
+    const glm::vec2 place = (glm::vec2(x, y) + 0.5f) / glm::vec2(size_);
+    const glm::vec2 small = place * glm::vec2(width, height) - frame.jitter;
+    const int u = std::clamp(static_cast<int>(std::floor(small.x)), 0, width - 1);
+    const int v = std::clamp(static_cast<int>(std::floor(small.y)), 0, height - 1);
+    const Sample& nearest = samples_[frame.radiance.index(u, v)];
+
+    // Edges move with what is in front: of the five around, the one nearest to the eye tells the motion.
+    const Sample* front = &nearest;
+    const auto look = [&](int i, int j) {
+        if (i < 0 || j < 0 || i >= width || j >= height) return;
+        const Sample& other = samples_[frame.radiance.index(i, j)];
+        if (other.distance < front->distance) front = &other;
+    };
+    look(u - 1, v);
+    look(u + 1, v);
+    look(u, v - 1);
+    look(u, v + 1);
+
+    Kept kept = has_history_ ? kept_at(place + front->motion) : Kept{};
+    if (kept.weight > 0.0f) {
+        if (kept.part != nearest.part && kept.part != front->part) kept.weight = std::min(kept.weight, 1.0f);
+        const glm::vec3 slack = (nearest.high - nearest.low) * kSlack;
+        const glm::vec3 believed = glm::clamp(kept.color, nearest.low - slack, nearest.high + slack);
+        // The further it had to be brought back, the less its past is worth.
+        const float off = glm::length(believed - kept.color), size = glm::length(kept.color) + 1e-6f;
+        kept.weight *= 1.0f - 0.5f * std::min(1.0f, off / size);
+        kept.color = believed;
+    }
+    const glm::vec2 large_per_small = glm::vec2(size_) / glm::vec2(width, height);
+    const glm::vec2 off = (glm::vec2(u, v) + 0.5f - small) * large_per_small;
+    glm::vec3 color = nearest.color;
+    float count = std::max(kLeastCount, std::exp(-kNearness * glm::dot(off, off)));
+    if (kept.weight < 1.0f) {
+        // Nothing to build on: a smooth picture first, which a better sample soon replaces.
+        const glm::vec2 at = glm::clamp(small - 0.5f, glm::vec2(0.0f), glm::vec2(width - 1, height - 1));
+        const glm::ivec2 low(glm::min(at, glm::vec2(std::max(0, width - 2), std::max(0, height - 2))));
+        const glm::vec2 share = at - glm::vec2(low);
+        const int right = std::min(low.x + 1, width - 1), below = std::min(low.y + 1, height - 1);
+        const auto color_at = [&](int i, int j) { return samples_[frame.radiance.index(i, j)].color; };
+        color = glm::mix(glm::mix(color_at(low.x, low.y), color_at(right, low.y), share.x),
+                         glm::mix(color_at(low.x, below), color_at(right, below), share.x), share.y);
+        count = std::max(count, 0.2f);
+    }
+    const float total = kept.weight + count;
+    const float moved = std::min(1.0f, 2.0f * glm::length(front->motion * glm::vec2(size_)));
+    const float most = kStillWeight + (kMovingWeight - kStillWeight) * moved;
+    return {kept.color + (color - kept.color) * (count / total), std::min(total, most), nearest.part};
+}
+
+void TemporalUpscaler::add(const JitteredFrame& frame, glm::ivec2 size, const Jobs& jobs, Image& out) {
+    const std::size_t pixels = frame.radiance.pixels.size();
+    EXPECTS(size.x >= 1 && size.y >= 1 && pixels > 0);
+    EXPECTS(frame.part.size() == pixels && frame.position.size() == pixels &&
+            frame.previous.size() == pixels);
+    if (size != size_) {
+        // What is kept has the old size: begin with it stretched.
+        std::vector<Kept> stretched(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+        if (has_history_) {
+            for (int y = 0; y < size.y; ++y) {
+                for (int x = 0; x < size.x; ++x) {
+                    Kept kept = kept_at((glm::vec2(x, y) + 0.5f) / glm::vec2(size));
+                    kept.weight = std::min(kept.weight, 1.0f);
+                    stretched[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
+                              static_cast<std::size_t>(x)] = kept;
+                }
+            }
+        }
+        kept_ = std::move(stretched);
+        size_ = size;
+    }
+    next_.resize(kept_.size());
+    samples_.resize(pixels);
+    if (out.width != size.x || out.height != size.y) out = Image(size.x, size.y);
+    jobs.run(static_cast<std::size_t>(frame.radiance.height),
+             [&](std::size_t y, int) { gather_row(frame, static_cast<int>(y)); });
+    jobs.run(static_cast<std::size_t>(size.y), [&](std::size_t y, int) {
+        for (int x = 0; x < size.x; ++x) {
+            const std::size_t i = y * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
+            next_[i] = renewed(frame, x, static_cast<int>(y));
+            out.pixels[i] = next_[i].color;
+        }
+    });
+    kept_.swap(next_);
+    before_ = frame.lens;
+    before_size_ = {frame.radiance.width, frame.radiance.height};
+    has_history_ = true;
+}
+
+}  // namespace gh::filter
