@@ -100,7 +100,7 @@ std::optional<rc::Hit> meet_triangle(const glm::vec3& origin, const glm::vec3& d
 }
 
 void TestScene::add(const Mesh& mesh, const glm::mat4x3& world_from_mesh, rc::LayerMask layers) {
-    placed_.push_back({meshes_.size(), {rc::build_blas(mesh.view()), world_from_mesh, layers}});
+    placed_.push_back({meshes_.size(), {rc::build_blas(mesh.view(), {quality_}), world_from_mesh, layers}});
     meshes_.push_back(mesh);
 }
 
@@ -129,7 +129,7 @@ std::vector<rc::Hit> TestScene::all_hits(const rc::Ray& ray, rc::LayerMask layer
             if (std::max({t.x, t.y, t.z}) >= mesh.positions.size()) continue;
             const glm::vec3 corners[3] = {mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]};
             std::optional<rc::Hit> hit = meet_triangle(origin, direction, corners);
-            if (!hit || !(ray.t_min <= hit->t && hit->t <= ray.t_max && hit->t < rc::kInfinity)) continue;
+            if (!hit || !(ray.t_min <= hit->t && hit->t <= ray.t_max && std::isfinite(hit->t))) continue;
             if (!is_kept(mesh, t)) continue;
             hit->instance = id;
             hit->primitive = i;

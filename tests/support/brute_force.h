@@ -16,6 +16,8 @@ namespace test {
 // Meshes, where they stand, and the scene committed from them.
 class TestScene {
   public:
+    explicit TestScene(rc::BuildQuality quality = rc::BuildQuality::Default) : quality_(quality) {}
+
     // Instances are numbered in the order of add.
     void add(const Mesh& mesh, const glm::mat4x3& world_from_mesh = glm::mat4x3(1.0f),
              rc::LayerMask layers = rc::kAllLayers);
@@ -35,6 +37,7 @@ class TestScene {
         std::size_t mesh;
         rc::Instance instance;
     };
+    rc::BuildQuality quality_;
     std::vector<Mesh> meshes_;
     std::vector<Placed> placed_;
     std::shared_ptr<const rc::Scene> scene_;

@@ -2,7 +2,8 @@
 //
 // Units     whatever the scene uses (the game: metres, right-handed, +y up). t counts in multiples of the
 //           direction, which need not be unit: t_max = 1 means "up to origin + direction".
-// Intervals closed: a surface exactly at t_min or t_max is met. Both sides of a triangle count.
+// Intervals closed: a surface exactly at t_min or t_max is met; one whose t is too large for a float is not. Both sides
+//           of a triangle count.
 #pragma once
 
 #include <cstdint>

@@ -3,10 +3,13 @@
 namespace rc::kernel::RC_ISA {
 
 inline constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
-inline constexpr float kLargest = 0x1.fffffep127f;  // t beyond it is infinite: a miss
+inline constexpr float kLargest = 0x1.fffffep127f;  // t beyond it, either way, is infinite: a miss
 
 static inline float finite_limit(float t_max) {
     return t_max < kLargest ? t_max : kLargest;
+}
+static inline float finite_start(float t_min) {
+    return t_min > -kLargest ? t_min : -kLargest;
 }
 
 static inline HitOut to_hit(const Candidate& c) {
@@ -20,7 +23,7 @@ struct ClosestSink {
     Candidate best;
 
     void begin(const RayIn& ray) {
-        t_min = ray.t_min;
+        t_min = finite_start(ray.t_min);
         t_limit = finite_limit(ray.t_max);
         best.primitive = best.instance = kNobody;
     }
@@ -42,7 +45,7 @@ struct AnySink {
     bool is_hit;
 
     void begin(const RayIn& ray) {
-        t_min = ray.t_min;
+        t_min = finite_start(ray.t_min);
         t_limit = finite_limit(ray.t_max);
         is_hit = false;
     }
@@ -119,7 +122,7 @@ static void any(const SceneView& scene, const RayIn* rays, std::uint64_t n, std:
 static std::uint32_t crossings(const SceneView& scene, const RayIn& ray, std::uint32_t layers, HitOut* out,
                                std::uint32_t capacity) {
     Counts sum;
-    CrossingsSink sink{ray.t_min, finite_limit(ray.t_max), out, capacity};
+    CrossingsSink sink{finite_start(ray.t_min), finite_limit(ray.t_max), out, capacity};
     if (is_good(ray) && capacity > 0) walk_scene(scene, ray, layers, sink, sum);
     return sink.count;
 }

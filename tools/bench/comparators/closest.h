@@ -33,7 +33,7 @@ template <class Test, class Structure>
     rc::Hit best;
     structure.walk(ray, [&](std::uint32_t i) {
         rc::Hit hit;
-        if (test(soup.corners[i], hit) && hit.t >= ray.t_min && hit.t <= ray.t_max && hit.t < rc::kInfinity) {
+        if (test(soup.corners[i], hit) && hit.t >= ray.t_min && hit.t <= ray.t_max && std::isfinite(hit.t)) {
             hit.primitive = soup.primitive[i];
             hit.instance = 0;
             if (best.is_miss() || hit.t < best.t || (hit.t == best.t && hit.primitive < best.primitive))
