@@ -32,7 +32,7 @@ class Builder {
         node.first = static_cast<std::uint32_t>(range.begin);
         node.count = static_cast<std::uint32_t>(n);
         Range left, right;
-        if (n == 1 || !cut(range, depth, left, right)) {
+        if (n == 1 || !cutter_.cut(range, depth, left, right)) {
             for (std::size_t i = range.begin; i < range.end; ++i) items_[i] = refs_[i].item;
             return;
         }
@@ -50,20 +50,6 @@ class Builder {
         group.run([&] { build(left, node.first, depth + 1, nullptr); });
         build(right, node.first + 1, depth + 1, nullptr);
         group.wait();
-    }
-
-    // False when `range` had better be a leaf.
-    bool cut(const Range& range, int depth, Range& left, Range& right) {
-        if (range.size() <= kernel::kFewRefs && build::RangeCutter::leaves_depth_for_few(depth))
-            return cutter_.cut_few(range, left, right);
-        const build::ObjectSplit split = cutter_.object_split(range);
-        if (!cutter_.pays(range, split.best.cost)) return false;
-        if (split.best.axis >= 0) {
-            cutter_.cut_at(split, range, left, right);
-            if (build::RangeCutter::leaves_depth(depth, left.size(), right.size())) return true;
-        }
-        cutter_.halve(range, left, right);
-        return true;
     }
 
     std::span<BuildRef> refs_;

@@ -4,6 +4,7 @@
 #include "collect_refs.h"
 #include "contract.h"
 #include "fit.h"
+#include "morton_builder.h"
 #include "spatial_builder.h"
 
 #include "raycore/blas.h"
@@ -68,12 +69,22 @@ Box box_of(const BinaryNode& node) {
     return {{node.min[0], node.min[1], node.min[2]}, {node.max[0], node.max[1], node.max[2]}};
 }
 
+BinaryTree binary_tree_of(Unfilled<BuildRef> refs, const MeshView& mesh, BuildQuality quality) {
+    switch (quality) {
+        case BuildQuality::Fast:
+            return build_morton_tree(refs, SplitCosts{});
+        case BuildQuality::Default:
+            break;
+        case BuildQuality::High:
+            return build_spatial_tree(std::move(refs), mesh, SplitCosts{});
+    }
+    return build_binary_tree(refs, SplitCosts{});
+}
+
 void grow_tree(Blas::Data& blas, const MeshView& mesh, BuildQuality quality) {
     Unfilled<BuildRef> refs = collect_refs(mesh, blas.report);
     if (refs.empty()) return;
-    const BinaryTree binary = quality == BuildQuality::High
-                                  ? build_spatial_tree(std::move(refs), mesh, SplitCosts{})
-                                  : build_binary_tree(refs, SplitCosts{});
+    const BinaryTree binary = binary_tree_of(std::move(refs), mesh, quality);
     WideTree wide = collapse_blas(binary);
     blas.nodes = std::move(wide.nodes);
     blas.root = wide.root;

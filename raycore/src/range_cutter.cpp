@@ -43,6 +43,18 @@ Range RangeCutter::measured(std::size_t begin, std::size_t end) const {
     return range;
 }
 
+bool RangeCutter::cut(const Range& range, int depth, Range& left, Range& right) {
+    if (range.size() <= kernel::kFewRefs && leaves_depth_for_few(depth)) return cut_few(range, left, right);
+    const ObjectSplit split = object_split(range);
+    if (!pays(range, split.best.cost)) return false;
+    if (split.best.axis >= 0) {
+        cut_at(split, range, left, right);
+        if (leaves_depth(depth, left.size(), right.size())) return true;
+    }
+    halve(range, left, right);
+    return true;
+}
+
 bool RangeCutter::pays(const Range& range, float split_cost) const {
     if (range.size() > costs_.max_leaf) return true;
     const float area = half_area(range.boxes);
