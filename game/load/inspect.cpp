@@ -141,7 +141,7 @@ void describe_report(const LevelReport& report, Page& page) {
 }  // namespace
 
 Result<std::string> describe_level(const std::filesystem::path& path) {
-    const Result<world::Level> level = load_level(path);
+    const Result<world::Level> level = load_level(path, {.fuses_parts = false});
     if (!level) return level.error();
     Page page;
     line(page, "{}: a level, hash {}", path.filename().string(), hex16(level->file_hash));

@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "base/hash.h"
 #include "load/defaults.h"
+#include "load/fuse_parts.h"
 #include "load/gltf_file.h"
 #include "load/level_build.h"
 #include "load/level_check.h"
@@ -133,6 +134,7 @@ Result<world::Level> load_named(std::span<const std::byte> bytes, const Origin& 
         if (!level) return in_file(origin.name, level.error());
         level->name = std::filesystem::path(origin.name).stem().string();
         if (options.finds_ways) add_ways(origin.navmesh_file, *level);
+        if (options.fuses_parts) fuse_still_parts(*level);
         return level;
     } catch (const std::bad_alloc&) {
         return in_file(origin.name, Error{"needs more memory than there is"});

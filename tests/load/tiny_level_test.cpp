@@ -17,7 +17,8 @@ using test::named;
 class TinyLevel : public ::testing::Test {
   protected:
     void SetUp() override {
-        Result<world::Level> loaded = load::load_level_from_memory(test::tiny_level_glb(), "tiny.glb", {});
+        Result<world::Level> loaded =
+            load::load_level_from_memory(test::tiny_level_glb(), "tiny.glb", {}, {.fuses_parts = false});
         ASSERT_TRUE(loaded) << loaded.error().sentence;
         level = std::move(*loaded);
     }
