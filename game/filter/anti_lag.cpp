@@ -28,15 +28,14 @@ static void change_row(const ChangeRow& row) {
 static void column_sum_row(const ColumnSumRow& row) {
     const std::size_t padded = (static_cast<std::size_t>(row.width) + 15) / 16 * 16;
     for (std::size_t x = 0; x < padded; x += lane_count()) {
-        Floats sum = hn::Zero(F()), squares = hn::Zero(F());
-        for (const float* from : row.fast) {
-            Floats value = load(from + x);
-            value = zero_unless(is_finite(value), value);
-            sum = hn::Add(sum, value);
-            squares = hn::Add(squares, hn::Mul(value, value));
+        Floats difference = hn::Zero(F()), variance = hn::Zero(F());
+        for (std::size_t i = 0; i < 5; ++i) {
+            const Floats mean = load(row.light[i] + x);
+            difference = hn::Add(difference, hn::Sub(load(row.fast[i] + x), mean));
+            variance = hn::Add(variance, positive(hn::Sub(load(row.square[i] + x), hn::Mul(mean, mean))));
         }
-        store(sum, row.sum + x);
-        store(squares, row.squares + x);
+        store(difference, row.difference + x);
+        store(variance, row.variance + x);
     }
 }
 
@@ -55,32 +54,33 @@ static HWY_INLINE Floats five_columns(const float* sums, std::size_t x, int widt
     return total;
 }
 
+// The part of the difference between the fast means about here and the long ones that their noise does not explain.
+static HWY_INLINE Floats significant_change(const SettleRow& row, std::size_t x) {
+    const Floats change = hn::Mul(five_columns(row.difference, x, row.width), splat(1.0f / 25.0f));
+    const Floats variance = hn::Mul(five_columns(row.variance, x, row.width), splat(row.noise_share));
+    const Floats by_chance = hn::Mul(hn::Sqrt(variance), splat(row.sigmas));
+    // Rounding of the sums is no change.
+    const Floats slack = hn::Add(by_chance, hn::Mul(load(row.light[1] + x), splat(1e-3f)));
+    return zero_unless(hn::Gt(hn::Abs(change), slack), hn::Sub(change, hn::CopySign(slack, change)));
+}
+
 static void settle_row(const SettleRow& row) {
-    const Floats zero = hn::Zero(F()), one = splat(1.0f);
+    const Floats zero = hn::Zero(F()), one = splat(1.0f), least = splat(row.least_length);
     for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) {
-        const Floats mean = hn::Mul(five_columns(row.sum, x, row.width), splat(1.0f / 25.0f));
-        const Floats square = hn::Mul(five_columns(row.squares, x, row.width), splat(1.0f / 25.0f));
-        const Floats spread =
-            hn::Mul(hn::Sqrt(positive(hn::Sub(square, hn::Mul(mean, mean)))), splat(row.sigmas));
+        const Floats change = significant_change(row, x);
         const Floats old = load(row.light[1] + x), length = load(row.length + x);
-        // A mean is no surer than its own samples make it; rounding of the sums is no change.
-        const Floats own = positive(hn::Sub(load(row.square + x), hn::Mul(old, old)));
-        const Floats unsure = hn::Mul(hn::Sqrt(hn::Div(own, length)), splat(row.sigmas));
-        const Floats slack = hn::Add(hn::Add(spread, unsure), hn::Mul(hn::Abs(mean), splat(1e-3f)));
-        const Floats low = hn::Sub(mean, slack), high = hn::Add(mean, slack);
-        const Floats drawn = choose(hn::Lt(old, low), low, choose(hn::Gt(old, high), high, old));
-        const Lanes moved =
-            hn::And(hn::And(hn::Gt(hn::Abs(hn::Sub(drawn, old)), zero), is_finite(drawn)),
-                    hn::And(hn::Gt(length, splat(row.least_length)), hn::Gt(old, zero)));
+        const Lanes moved = hn::And(hn::Gt(hn::Abs(change), zero), hn::Gt(length, least));
         if (hn::AllFalse(F(), moved)) continue;
 
-        // The colour keeps its hue. What of the mean was wrong is forgotten: a mean twice too bright starts anew.
-        const Floats factor = choose(moved, positive(hn::Div(drawn, old)), one);
+        // What is darker now is so at once, in the same hue. What is brighter is waited for: its hue is not known.
+        const Floats now = positive(hn::Add(old, change));
+        const Lanes darker = hn::And(moved, hn::Lt(now, old));
+        const Floats factor = choose(darker, hn::Div(now, old), one);
         for (float* plane : row.light) store(hn::Mul(load(plane + x), factor), plane + x);
         store(hn::Mul(load(row.square + x), hn::Mul(factor, factor)), row.square + x);
-        const Floats kept = choose(hn::Gt(factor, one), hn::Div(one, factor), factor);
+        // What of the mean was wrong is forgotten.
+        const Floats kept = choose(darker, factor, choose(hn::Gt(now, zero), hn::Div(old, now), one));
         const Floats left = hn::Mul(length, hn::Mul(kept, kept));
-        const Floats least = splat(row.least_length);
         store(choose(moved, choose(hn::Gt(left, least), left, least), length), row.length + x);
     }
 }
@@ -154,24 +154,32 @@ void gradients(const Reshaded& samples, int width, int height, const Jobs& jobs,
 }
 
 void settle(const SettleSettings& settings, const Jobs& jobs, Accumulated& signal, Plane scratch[2]) {
-    EXPECTS(settings.sigmas > 0.0f);
+    EXPECTS(settings.sigmas > 0.0f && settings.fast_longest >= 1.0f);
     const int width = signal.light.width(), height = signal.light.height();
     scratch[0].fit(width, height);
     scratch[1].fit(width, height);
     run_rows(height, jobs, [&](int y) {
         ColumnSumRow row{};
-        for (int dy = -2; dy <= 2; ++dy) row.fast[dy + 2] = signal.fast.row(std::clamp(y + dy, 0, height - 1));
+        for (int i = 0; i < 5; ++i) {
+            const int line = std::clamp(y + i - 2, 0, height - 1);
+            row.fast[i] = signal.fast.row(line);
+            row.light[i] = signal.light.y.row(line);
+            row.square[i] = signal.square.row(line);
+        }
         row.width = width;
-        row.sum = scratch[0].row(y);
-        row.squares = scratch[1].row(y);
+        row.difference = scratch[0].row(y);
+        row.variance = scratch[1].row(y);
         HWY_DYNAMIC_DISPATCH(column_sum_row)(row);
     });
+    // An exponential mean of share a = 1/n keeps a / (2 - a) of the variance of its samples; 25 of them are compared.
+    const float noise_share = 1.0f / ((2.0f * settings.fast_longest - 1.0f) * 25.0f * 25.0f);
     run_rows(height, jobs, [&](int y) {
         SettleRow row{};
-        row.sum = scratch[0].row(y);
-        row.squares = scratch[1].row(y);
+        row.difference = scratch[0].row(y);
+        row.variance = scratch[1].row(y);
         row.width = width;
-        row.least_length = 2.0f;
+        row.least_length = settings.fast_longest;
+        row.noise_share = noise_share;
         row.sigmas = settings.sigmas;
         point_to(row.light, signal.light, y);
         row.square = signal.square.row(y);

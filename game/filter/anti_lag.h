@@ -9,13 +9,13 @@
 //   gradients()    re-shaded samples at some pixels only: their differences and their maxima are smoothed apart over
 //                  their neighbours before they are divided, so that noise in them cancels.
 //
-// Unknown change: what a moving guard shades, what comes over two corners. settle() compares the long mean with the
-// neighbourhood of a fast one of two or three frames; a mean that lies outside what the last frames and its own noise can
-// explain is drawn to the nearest value that they can, and its count falls in the same measure. (The history clamping of
-// Karis 2014, about a fast mean instead of one frame and wider by the mean's standard error, so that noise and lone
-// bright samples do not trip it.)
+// Unknown change: what a moving guard shades, what comes over two corners. settle() compares the long means of 5x5 pixels
+// with their fast means of two frames. What of the difference their samples' own variance does not explain is change:
+// what got darker is made so at once, and the means' counts fall by what of them was wrong. Edges in the light cancel in
+// the difference, and a lone bright sample raises the variance with the mean. (In the spirit of the history clamping of
+// Karis 2014 and of the fast history of NVIDIA's ReBLUR, but a test of significance, so that it keeps the energy.)
 //
-// Cost      lamp_change 2, gradients about 60 (of few pixels), settle 8 cycles a pixel.
+// Cost      lamp_change 2, gradients about 60 (of few pixels), settle 10 cycles a pixel.
 // Same bits for any number of threads and any instruction set.
 // Bad input what is not finite has not changed.
 #pragma once
@@ -40,7 +40,8 @@ struct Reshaded {
 void gradients(const Reshaded& samples, int width, int height, const Jobs& jobs, Plane& change);
 
 struct SettleSettings {
-    float sigmas = 2.0f;  // of the fast mean in 5x5 pixels, and of the long mean, by which they may be apart
+    float sigmas = 2.0f;        // standard errors of the difference that are put down to chance
+    float fast_longest = 2.0f;  // what TemporalSettings said when the fast mean was made
 };
 
 // Puts `signal` right in place. `scratch` is any two planes to be used meanwhile.

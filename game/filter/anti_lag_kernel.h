@@ -9,17 +9,18 @@ struct ChangeRow {
     float* change;
 };
 
-// Sums of the fast mean and of its square over five rows.
+// Sums over five rows: of the fast mean less the long one, and of the samples' variance.
 struct ColumnSumRow {
-    const float* fast[5];
+    const float *fast[5], *light[5], *square[5];
     int width;
-    float *sum, *squares;
+    float *difference, *variance;
 };
 
 struct SettleRow {
-    const float *sum, *squares;
+    const float *difference, *variance;
     int width;
-    float least_length;  // a shorter mean is left alone
+    float least_length;  // a mean is not made shorter, and a shorter one is left alone
+    float noise_share;   // variance of the mean difference, by the sum of the samples' variances
     float sigmas;
     float* light[3];  // red, luminance, blue
     float *square, *length;

@@ -98,9 +98,8 @@ static HWY_INLINE void finish(const Gathering& from, const AtrousRow& row, std::
 }
 
 // Whether all of these pixels are black and sure of it: then only black neighbours would count.
-static HWY_INLINE bool is_dark(const AtrousRow& row, std::size_t x) {
-    const Floats light = hn::Add(hn::Abs(load(row.light[1] + x)), load(row.variance + x));
-    return hn::AllTrue(F(), hn::Eq(light, hn::Zero(F())));
+static HWY_INLINE bool is_dark(const Gathering& pixels) {
+    return hn::AllTrue(F(), hn::Eq(hn::Add(hn::Abs(pixels.middle), pixels.variance), hn::Zero(F())));
 }
 
 static void keep_pixels(const AtrousRow& row, std::size_t x) {
@@ -110,8 +109,9 @@ static void keep_pixels(const AtrousRow& row, std::size_t x) {
 
 template <int kRadius, bool kEdge>
 static HWY_INLINE void smooth_pixels(const AtrousRow& row, std::size_t x) {
-    const Surface surface = surface_at(row.guides, x, static_cast<float>(row.step));
     Gathering to = begin<kEdge>(row, x);
+    if (is_dark(to)) return keep_pixels(row, x);
+    const Surface surface = surface_at(row.guides, x, static_cast<float>(row.step));
     const float* spline = kSpline[kRadius - 1];
     for (int j = 0; j <= 2 * kRadius; ++j) {
         const int dy = (j - kRadius) * row.step;
@@ -136,9 +136,7 @@ static void smooth_row(const AtrousRow& row) {
     const auto width = static_cast<std::size_t>(row.width);
     const auto reach = static_cast<std::size_t>(kRadius * row.step);
     for (std::size_t x = 0; x < width; x += lane_count()) {
-        if (is_dark(row, x)) {
-            keep_pixels(row, x);
-        } else if (x >= reach && x + lane_count() + reach <= width) {
+        if (x >= reach && x + lane_count() + reach <= width) {
             smooth_pixels<kRadius, false>(row, x);
         } else {
             smooth_pixels<kRadius, true>(row, x);

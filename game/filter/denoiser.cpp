@@ -44,7 +44,9 @@ void Denoiser::accumulate_track(const Plane3& light, const Plane& change, const 
     if (albedo != nullptr) demodulate(samples, *albedo, step.jobs, samples);
     std::swap(track.before, track.mean);
     accumulate(samples, change, taps_, track.before, step.settings.temporal, step.jobs, track.mean);
-    if (step.settings.settles) settle(step.settings.settle, step.jobs, track.mean, sums_);
+    if (step.settings.settles) {
+        settle({step.settings.settle_sigmas, step.settings.temporal.fast_longest}, step.jobs, track.mean, sums_);
+    }
     estimate_variance(track.mean, guides_, step.jobs, track.variance);
     track.smooth = &track.mean.light;
 }

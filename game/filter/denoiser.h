@@ -26,14 +26,14 @@
 namespace gh::filter {
 
 struct DenoiseSettings {
-    MendSettings mend;
-    TemporalSettings temporal;
-    SettleSettings settle;
+    MendSettings mend{};
+    TemporalSettings temporal{};
     // Levels of 0: not smoothed over the picture.
     AtrousSettings direct{.levels = 3};
     AtrousSettings indirect{.levels = 4};
     AtrousSettings specular{.levels = 2};
     bool settles = true;  // whether unknown changes are looked for
+    float settle_sigmas = 2.0f;
 };
 
 class Denoiser {

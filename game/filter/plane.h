@@ -105,6 +105,10 @@ struct Plane3 {
     [[nodiscard]] int width() const { return x.width(); }
     [[nodiscard]] int height() const { return x.height(); }
     [[nodiscard]] glm::vec3 get(int i, int j) const { return {x.at(i, j), y.at(i, j), z.at(i, j)}; }
+    // Of a colour.
+    [[nodiscard]] float luminance_at(int i, int j) const {
+        return (0.2126f * x.at(i, j) + 0.7152f * y.at(i, j)) + 0.0722f * z.at(i, j);
+    }
     void set(int i, int j, const glm::vec3& value) {
         x.at(i, j) = value.x;
         y.at(i, j) = value.y;

@@ -64,10 +64,11 @@ static HWY_INLINE Vector behind(const ReprojectRow& row, std::size_t x, const Ve
     return {hn::Mul(d.x, share), hn::Mul(d.y, share), hn::Mul(d.z, share)};
 }
 
-// Where a pixel's light was in the last picture, in numbers of pixels from the centre of pixel (0, 0).
+// Where a pixel's light was in the last picture, in numbers of pixels from the centre of pixel (0, 0), jitter left out;
+// and where the very point of the surface was, with how near.
 struct Then {
     Floats x, y;
-    Floats nearness;  // of the surface there
+    PicturePoint surface;
 };
 
 static HWY_INLINE Floats to_steps(Floats place) {
@@ -77,8 +78,8 @@ static HWY_INLINE Floats to_steps(Floats place) {
 
 static HWY_INLINE Then find_place(const ReprojectRow& row, std::size_t x) {
     Vector here = load3(row.position, x), before = load3(row.previous, x);
-    PicturePoint then = project(row.then, before);
-    const Floats nearness = then.nearness;
+    const PicturePoint surface = project(row.then, before);
+    PicturePoint then = surface;
     if (row.reflected != nullptr) {
         const Vector image = behind(row, x, here);
         here = plus(here, image);
@@ -90,7 +91,8 @@ static HWY_INLINE Then find_place(const ReprojectRow& row, std::size_t x) {
     const Floats moved_x = hn::Sub(then.x, hn::Mul(now.x, scale_x));
     const Floats moved_y = hn::Sub(then.y, hn::Mul(now.y, scale_y));
     return {to_steps(hn::Add(moved_x, hn::Sub(hn::Mul(centre, scale_x), half))),
-            to_steps(hn::Add(moved_y, hn::Sub(hn::Mul(splat(row.y), scale_y), half))), nearness};
+            to_steps(hn::Add(moved_y, hn::Sub(hn::Mul(splat(row.y), scale_y), half))),
+            {hn::Sub(surface.x, half), hn::Sub(surface.y, half), surface.nearness}};
 }
 
 // What is asked of each tap.
@@ -98,7 +100,7 @@ struct Wanted {
     Vector normal;
     Floats nearness, tolerance;
     Ints part;
-    Floats right, below;  // place between the taps, in [0, 1)
+    Floats right, below;  // the surface's point seen from the first tap, in pixels
 };
 
 static HWY_INLINE Lanes same_surface(const ReprojectRow& row, const TapPlace& place, int tap, const Wanted& wanted) {
@@ -125,7 +127,7 @@ static void weigh_taps(const ReprojectRow& row, std::size_t x, const Then& then)
     const Lanes in_picture = hn::And(hn::And(hn::Ge(left, low), hn::Le(left, last_column)),
                                      hn::And(hn::Ge(top, low), hn::Le(top, last_line)));
     const Lanes is_surface = hn::Gt(load(row.nearness + x), zero);
-    const Lanes usable = hn::And(hn::And(in_picture, is_surface), hn::Gt(then.nearness, zero));
+    const Lanes usable = hn::And(hn::And(in_picture, is_surface), hn::Gt(then.surface.nearness, zero));
     const Floats column = zero_unless(usable, left), line = zero_unless(usable, top);
     const Ints first = hn::Add(hn::Mul(hn::ConvertTo(I(), line), hn::Set(I(), static_cast<std::int32_t>(row.then_stride))),
                                hn::ConvertTo(I(), column));
@@ -138,14 +140,15 @@ static void weigh_taps(const ReprojectRow& row, std::size_t x, const Then& then)
 
     Wanted wanted;
     wanted.normal = load3(row.normal, x);
-    wanted.nearness = then.nearness;
-    wanted.tolerance = hn::Mul(hn::Abs(then.nearness), splat(kNearnessTolerance));
+    wanted.nearness = then.surface.nearness;
+    wanted.tolerance = hn::Mul(hn::Abs(wanted.nearness), splat(kNearnessTolerance));
     wanted.part = hn::LoadU(I(), reinterpret_cast<const std::int32_t*>(row.part) + x);
-    wanted.right = zero_unless(usable, hn::Sub(then.x, left));
-    wanted.below = zero_unless(usable, hn::Sub(then.y, top));
+    wanted.right = hn::Sub(then.surface.x, left);
+    wanted.below = hn::Sub(then.surface.y, top);
 
-    const Floats across[2] = {hn::Sub(one, wanted.right), wanted.right};
-    const Floats along_y[2] = {hn::Sub(one, wanted.below), wanted.below};
+    const Floats right = hn::Sub(then.x, left), below = hn::Sub(then.y, top);
+    const Floats across[2] = {hn::Sub(one, right), right};
+    const Floats down[2] = {hn::Sub(one, below), below};
     const Lanes column_in[2] = {hn::Ge(column, zero), hn::Lt(column, last_column)};
     const Lanes line_in[2] = {hn::Ge(line, zero), hn::Lt(line, last_line)};
     Floats weight[4];
@@ -153,7 +156,7 @@ static void weigh_taps(const ReprojectRow& row, std::size_t x, const Then& then)
     for (int tap = 0; tap < 4; ++tap) {
         const Lanes in = hn::And(usable, hn::And(column_in[tap % 2], line_in[tap / 2]));
         weight[tap] = zero_unless(hn::And(in, same_surface(row, place, tap, wanted)),
-                                  hn::Mul(across[tap % 2], along_y[tap / 2]));
+                                  hn::Mul(across[tap % 2], down[tap / 2]));
         sum = hn::Add(sum, weight[tap]);
     }
     const Floats share = zero_unless(hn::Ge(sum, splat(kLeastWeight)), hn::Div(one, sum));

@@ -2,7 +2,7 @@
 //
 // The point a pixel shaded is carried to where it was (GBuffer::previous) and looked up in the last frame's picture.
 // Each of the four pixels around that place is asked whether it showed the same surface: same part, normal within
-// 25 degrees, and nearness as its plane foretells for that very place, to a hundredth; those that did share the weight,
+// 25 degrees, and nearness as its plane foretells for that very point, to a hundredth; those that did share the weight,
 // bilinearly. With none the pixel was not seen before: it is disoccluded. (Schied et al. 2017, section 4.1; Yang, Liu and
 // Salvi 2020, section 4.)
 //

@@ -1,6 +1,7 @@
 #include "filter/upscale.h"
 
 #include "base/contracts.h"
+#include "filter/cubic.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,14 +11,6 @@
 namespace gh::filter {
 
 namespace {
-
-// Mitchell and Netravali 1988 with B = C = 1/3; support 2.
-float cubic(float x) {
-    const float a = std::abs(x);
-    if (a < 1.0f) return (7.0f * a * a * a - 12.0f * a * a + 16.0f / 3.0f) / 6.0f;
-    if (a < 2.0f) return (-7.0f / 3.0f * a * a * a + 12.0f * a * a - 20.0f * a + 32.0f / 3.0f) / 6.0f;
-    return 0.0f;
-}
 
 // Which old places make one new place, and how much each counts; weights sum to 1.
 struct Taps {
@@ -36,7 +29,7 @@ std::vector<Taps> make_taps(int from, int to) {
         const int last = static_cast<int>(std::floor(centre + 2.0f * widen));
         float sum = 0.0f;
         for (int k = taps.first; k <= last; ++k) {
-            taps.weights.push_back(cubic((static_cast<float>(k) - centre) / widen));
+            taps.weights.push_back(mitchell(std::abs((static_cast<float>(k) - centre) / widen)));
             sum += taps.weights.back();
         }
         for (float& weight : taps.weights) weight /= sum;

@@ -1,0 +1,291 @@
+// The whole chain on a room whose light is known: what a player would see of it.
+#include "filter/denoiser.h"
+
+#include "filter/anti_lag.h"
+#include "filter/isa.h"
+#include "filter/synthetic.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace gh {
+namespace {
+
+using filter::Denoiser;
+using filter::Plane;
+using filter::Plane3;
+
+constexpr int kWidth = 96, kHeight = 64;
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+bool same_bits(const Plane3& a, const Plane3& b) {
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            if (!(a.get(x, y) == b.get(x, y))) return false;  // NaN is a difference too
+        }
+    }
+    return a.width() == b.width() && a.height() == b.height();
+}
+
+// Five frames of a walk past a moving ball.
+Plane3 walk(const Jobs& jobs) {
+    Denoiser denoiser;
+    test::Room room;
+    Plane3 out;
+    for (std::uint32_t i = 0; i < 5; ++i) {
+        room.ball_before = room.ball;
+        room.ball.x -= 0.07f;
+        room.eye.z -= 0.03f;
+        room.yaw += 0.01f;
+        const test::Frame frame = test::render(room, kWidth - 3, kHeight, i);  // not a whole number of vectors
+        denoiser.denoise(frame.surfaces, frame.noisy, {}, jobs, out);
+    }
+    return out;
+}
+
+TEST(Denoiser, EveryInstructionSetAndAnyNumberOfThreadsMakeTheSameBits) {
+    const Plane3 best = walk(Jobs(1));
+    EXPECT_TRUE(same_bits(walk(Jobs(3)), best)) << "three threads";
+    const std::vector<std::string> isas = filter::isa_names();
+    ASSERT_GE(isas.size(), 2u) << "nothing to compare with";
+    for (const std::string& isa : isas) {
+        ASSERT_TRUE(filter::use_isa(isa));
+        EXPECT_TRUE(same_bits(walk(Jobs(2)), best)) << isa;
+    }
+    filter::use_isa("");
+}
+
+TEST(Denoiser, LeavesATwentiethOfTheNoiseAndLessWithEveryFrameOfAWalk) {
+    Denoiser denoiser;
+    const Jobs jobs(1);
+    test::Room room;
+    Plane3 out;
+    double first_gain = 0.0, last_gain = 0.0;
+    for (std::uint32_t i = 0; i < 10; ++i) {
+        room.eye.x += 0.01f;
+        room.yaw += 0.003f;
+        const test::Frame frame = test::render(room, kWidth, kHeight, i);
+        denoiser.denoise(frame.surfaces, frame.noisy, {}, jobs, out);
+        const Plane3 truth = test::total(frame.truth);
+        last_gain = test::rel_mse(test::total(frame.noisy), truth) / test::rel_mse(out, truth);
+        if (i == 0) first_gain = last_gain;
+    }
+    EXPECT_GT(first_gain, 5.0) << "a first frame has nothing but its neighbours";
+    EXPECT_GT(last_gain, 20.0);
+}
+
+// A room in constant light: whatever the filter does with weights, light times albedo must come out again. The chain
+// rounds about thirty times on the way; 1e-5 is a hundred roundings.
+TEST(Denoiser, ConstantLightOnATextureComesOutAsItWentIn) {
+    Denoiser denoiser;
+    const Jobs jobs(1);
+    test::Room room;
+    Plane3 out;
+    for (std::uint32_t i = 0; i < 6; ++i) {
+        room.eye.x += 0.02f;
+        test::Frame frame = test::render(room, kWidth, kHeight, i);
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                const bool sky = frame.surfaces.part.at(x, y) == filter::kNoSurface;
+                const glm::vec3 albedo = frame.surfaces.albedo.get(x, y);
+                frame.noisy.direct.set(x, y, sky ? glm::vec3(0.0f) : albedo * glm::vec3(3.0f, 2.0f, 0.5f));
+                frame.noisy.indirect.set(x, y, sky ? glm::vec3(0.0f) : albedo * 0.25f);
+                frame.noisy.specular.set(x, y, sky ? glm::vec3(0.0f) : glm::vec3(0.125f));
+            }
+        }
+        denoiser.denoise(frame.surfaces, frame.noisy, {}, jobs, out);
+        const Plane3 wanted = test::total(frame.noisy);
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                const glm::vec3 off = glm::abs(out.get(x, y) - wanted.get(x, y));
+                ASSERT_LT(std::max({off.x, off.y, off.z}), 1e-5f * (0.1f + wanted.get(x, y).x)) << x << ' ' << y;
+            }
+        }
+    }
+}
+
+TEST(Denoiser, KeepsTheEnergyOfASkewedNoise) {
+    Denoiser denoiser;
+    const Jobs jobs(1);
+    const test::Room room;
+    Plane3 out;
+    double found = 0.0, truth = 0.0;
+    for (std::uint32_t i = 0; i < 24; ++i) {
+        const test::Frame frame = test::render(room, kWidth, kHeight, i);
+        denoiser.denoise(frame.surfaces, frame.noisy, {}, jobs, out);
+        if (i < 8) continue;
+        const Plane3 wanted = test::total(frame.truth);
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                found += static_cast<double>(out.luminance_at(x, y));
+                truth += static_cast<double>(wanted.luminance_at(x, y));
+            }
+        }
+    }
+    // Sixteen frames, of which the means share samples: about 24 independent samples at each of 6144 pixels, relative
+    // deviation of one about 1.8, so four standard errors are 2 %. What settle() may lose must stay within that.
+    EXPECT_NEAR(found / truth, 1.0, 0.02);
+}
+
+TEST(Denoiser, WhatIsNotANumberIsMendedAndReachesNobody) {
+    const Jobs jobs(1);
+    const test::Room room;
+    Denoiser clean_denoiser, denoiser;
+    Plane3 clean, out;
+    for (std::uint32_t i = 0; i < 6; ++i) {
+        const test::Frame good = test::render(room, kWidth, kHeight, i);
+        test::Frame bad = good;
+        bad.noisy.direct.set(40, 40, glm::vec3(kNan));
+        bad.noisy.indirect.set(50, 40, {1.0f, std::numeric_limits<float>::infinity(), 0.0f});
+        bad.noisy.specular.set(45, 60, {-1.0f, 0.0f, 0.0f});
+        bad.surfaces.position.set(20, 50, glm::vec3(kNan));
+        bad.surfaces.normal.set(70, 50, glm::vec3(kNan));
+        bad.surfaces.albedo.set(60, 50, {kNan, 0.5f, 0.5f});
+        bad.surfaces.roughness.at(30, 60) = kNan;
+        bad.surfaces.reflected.at(31, 60) = kNan;
+        bad.surfaces.previous.set(32, 60, glm::vec3(kNan));
+        clean_denoiser.denoise(good.surfaces, good.noisy, {}, jobs, clean);
+        denoiser.denoise(bad.surfaces, bad.noisy, {}, jobs, out);
+    }
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const glm::vec3 c = out.get(x, y);
+            ASSERT_TRUE(std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z)) << x << ' ' << y;
+        }
+    }
+    // The mended pixel looks like the room, though none of its own samples ever counted.
+    EXPECT_NEAR(out.luminance_at(40, 40), clean.luminance_at(40, 40), 0.25f * clean.luminance_at(40, 40) + 0.01f);
+    EXPECT_EQ(out.get(5, 5), clean.get(5, 5)) << "far away nothing changed";
+}
+
+// The verb of the game: a lamp is switched off after two seconds in its light.
+int frames_until_dark(bool change_is_known, bool settles) {
+    Denoiser denoiser;
+    const Jobs jobs(1);
+    test::Room room;
+    Plane3 out;
+    const filter::DenoiseSettings settings{.settles = settles};
+    const auto mean_light = [&] {
+        double sum = 0.0;
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) sum += static_cast<double>(out.luminance_at(x, y));
+        }
+        return sum;
+    };
+    room.sky = 0.0f;
+    std::uint32_t frame_number = 0;
+    for (; frame_number < 40; ++frame_number) {
+        const test::Frame frame = test::render(room, kWidth, kHeight, frame_number);
+        denoiser.denoise(frame.surfaces, frame.noisy, settings, jobs, out);
+    }
+    const double lit = mean_light();
+    room.lamp_power = 0.0f;
+    for (int dark_frames = 1; dark_frames < 60; ++dark_frames) {
+        test::Frame frame = test::render(room, kWidth, kHeight, frame_number++);
+        if (change_is_known && dark_frames == 1) {
+            const Plane now(kWidth, kHeight, 0.0f), then(kWidth, kHeight, 1.0f);
+            filter::lamp_change(now, then, jobs, frame.noisy.direct_change);
+            frame.noisy.indirect_change = frame.noisy.direct_change;
+        }
+        denoiser.denoise(frame.surfaces, frame.noisy, settings, jobs, out);
+        if (mean_light() < 0.1 * lit) return dark_frames;
+    }
+    return 60;
+}
+
+TEST(Denoiser, ALampSwitchedOffIsDarkAtOnceWhenTheRendererSaysSoAndSoonWhenItDoesNot) {
+    EXPECT_EQ(frames_until_dark(true, true), 1);
+    EXPECT_EQ(frames_until_dark(true, false), 1);
+    // Nobody said anything, and the light's noise is 1.8 times the light: two standard errors of 75 samples are 0.42 of
+    // it, which have to be waited for.
+    EXPECT_LE(frames_until_dark(false, true), 7);
+    // Without either the mean of 32 frames needs ln 0.1 / ln (31/32) = 73 of them: the tests above can fail.
+    EXPECT_EQ(frames_until_dark(false, false), 60);
+}
+
+// A guard walks past: behind him the wall must be as clean as elsewhere, neither darkened by his picture nor by the
+// shadow he took along.
+TEST(Denoiser, AMovingBallLeavesNoGhost) {
+    Denoiser denoiser;
+    const Jobs jobs(1);
+    test::Room room;
+    room.ball.x = 1.6f;
+    Plane3 out;
+    test::Frame frame;
+    constexpr float kStep = 0.06f;
+    for (std::uint32_t i = 0; i < 40; ++i) {
+        room.ball_before = room.ball;
+        room.ball.x -= kStep;
+        frame = test::render(room, kWidth, kHeight, i);
+        denoiser.denoise(frame.surfaces, frame.noisy, {}, jobs, out);
+    }
+    // Where the ball was five to fifteen frames ago and is no more.
+    const Plane3 truth = test::total(frame.truth);
+    test::Room before = room;
+    before.ball.x += 10.0f * kStep;
+    const test::Frame past = test::render(before, kWidth, kHeight, 99);
+    double ghost = 0.0, wanted = 0.0, bright_ghost = 0.0;
+    int count = 0;
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            if (past.surfaces.part.at(x, y) != test::kBall || frame.surfaces.part.at(x, y) == test::kBall) continue;
+            ghost += static_cast<double>(out.luminance_at(x, y)) - static_cast<double>(truth.luminance_at(x, y));
+            bright_ghost += static_cast<double>(test::total(past.truth).luminance_at(x, y)) -
+                            static_cast<double>(truth.luminance_at(x, y));
+            wanted += static_cast<double>(truth.luminance_at(x, y));
+            ++count;
+        }
+    }
+    ASSERT_GT(count, 40);
+    ASSERT_GT(std::abs(bright_ghost), 0.3 * wanted) << "the ball looks like the wall; nothing to see";
+    EXPECT_LT(std::abs(ghost), 0.1 * wanted);
+}
+
+TEST(Denoiser, AChangeOfThePicturesSizeKeepsWhatWasLearnt) {
+    const Jobs jobs(1);
+    const test::Room room;
+    Denoiser denoiser;
+    Plane3 out;
+    for (std::uint32_t i = 0; i < 12; ++i) {
+        const test::Frame frame = test::render(room, kWidth, kHeight, i);
+        denoiser.denoise(frame.surfaces, frame.noisy, {}, jobs, out);
+    }
+    const test::Frame larger = test::render(room, 120, 80, 50);
+    denoiser.denoise(larger.surfaces, larger.noisy, {}, jobs, out);
+    double length = 0.0;
+    int surfaces = 0;
+    for (int y = 0; y < 80; ++y) {
+        for (int x = 0; x < 120; ++x) {
+            if (larger.surfaces.part.at(x, y) == filter::kNoSurface) continue;
+            length += static_cast<double>(denoiser.history_length().at(x, y));
+            ++surfaces;
+        }
+    }
+    EXPECT_GT(length / surfaces, 9.0);
+    denoiser.forget();
+    denoiser.denoise(larger.surfaces, larger.noisy, {}, jobs, out);
+    EXPECT_EQ(denoiser.history_length().at(60, 60), 1.0f);
+}
+
+TEST(Denoiser, TakesEmptyLightsAndAnEmptyPicture) {
+    const Jobs jobs(1);
+    Denoiser denoiser;
+    Plane3 out;
+    denoiser.denoise({}, {}, {}, jobs, out);
+    EXPECT_TRUE(out.empty());
+    test::Frame frame = test::render({}, kWidth, kHeight, 0);
+    frame.noisy.specular = {};
+    frame.noisy.indirect = {};
+    denoiser.denoise(frame.surfaces, frame.noisy, {}, jobs, out);
+    const float direct_only = out.luminance_at(48, 50);
+    EXPECT_GT(direct_only, 0.0f);
+    frame.noisy.direct = {};
+    denoiser.denoise(frame.surfaces, frame.noisy, {}, jobs, out);
+    EXPECT_EQ(out.get(48, 50), frame.noisy.clean.get(48, 50));
+}
+
+}  // namespace
+}  // namespace gh
