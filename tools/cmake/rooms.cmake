@@ -1,15 +1,19 @@
 # A room is a folder of game/ and one static library: every .cpp in it but main.cpp, nothing else.
 #   add_room(sense LINKS gh_world)      ->  library gh_sense from game/sense/*.cpp
 #   add_room_tests(sense LABELS unit)   ->  program sense_tests from tests/sense/*.cpp, one ctest entry a test
+# HEADERS are compiled once for all of a room's sources: for libraries whose headers take longer than the room itself.
 
 function(add_room name)
-    cmake_parse_arguments(ROOM "" "" "LINKS;PRIVATE" ${ARGN})
+    cmake_parse_arguments(ROOM "" "" "LINKS;PRIVATE;HEADERS" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/game/${name}/*.cpp)
     list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
     if(sources)
         add_library(gh_${name} STATIC ${sources})
         target_include_directories(gh_${name} PUBLIC ${CMAKE_SOURCE_DIR}/game)
         target_link_libraries(gh_${name} PUBLIC project_options ${ROOM_LINKS} PRIVATE ${ROOM_PRIVATE})
+        if(ROOM_HEADERS)
+            target_precompile_headers(gh_${name} PRIVATE ${ROOM_HEADERS})
+        endif()
     else()  # headers alone
         add_library(gh_${name} INTERFACE)
         target_include_directories(gh_${name} INTERFACE ${CMAKE_SOURCE_DIR}/game)
@@ -26,5 +30,9 @@ function(add_room_tests name)
     add_executable(${name}_tests ${sources})
     target_link_libraries(${name}_tests PRIVATE project_options test_support GTest::gtest_main ${T_LINKS})
     target_compile_definitions(${name}_tests PRIVATE GLASSHOUSE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+    list(LENGTH sources count)
+    if(count GREATER 2)
+        target_precompile_headers(${name}_tests PRIVATE <gtest/gtest.h> <algorithm> <memory> <vector>)
+    endif()
     gtest_discover_tests(${name}_tests PROPERTIES LABELS "${T_LABELS}" DISCOVERY_TIMEOUT 60)
 endfunction()
