@@ -3,18 +3,13 @@
 #include "collapse.h"
 #include "collect_refs.h"
 #include "contract.h"
+#include "fill_leaves.h"
 #include "fit.h"
 #include "morton_builder.h"
 #include "spatial_builder.h"
 
 #include "raycore/blas.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
-#include <algorithm>
-#include <atomic>
-#include <bit>
 #include <limits>
 #include <utility>
 
@@ -22,48 +17,7 @@ namespace rc {
 
 namespace {
 
-constexpr std::size_t kNodesAtOnce = 256;
 constexpr float kInf = std::numeric_limits<float>::infinity();
-
-// The lowest of the leaves that hold a primitive, whichever is filled first.
-void note_leaf(std::uint32_t& leaf_of_primitive, std::uint32_t leaf) {
-    std::atomic_ref<std::uint32_t> lowest(leaf_of_primitive);
-    std::uint32_t known = lowest.load(std::memory_order_relaxed);
-    while (leaf < known && !lowest.compare_exchange_weak(known, leaf, std::memory_order_relaxed)) {
-    }
-}
-
-// Gives a leaf's block its triangles, and every primitive in it its leaf.
-void fill_leaf(Blas::Data& blas, std::span<const std::uint32_t> items, const MeshView& mesh,
-               std::uint32_t code) {
-    const LeafRange leaf = leaf_range(code);
-    float* block = blas.leaves.data() + std::size_t{leaf.first} * kernel::kWordsPerTriangle;
-    for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
-        const std::uint32_t primitive = items[leaf.first + lane];
-        const glm::uvec3& triangle = mesh.triangles[primitive];
-        for (std::uint32_t c = 0; c < 3; ++c) {
-            const glm::vec3& corner = mesh.positions[triangle[c]];
-            for (std::uint32_t a = 0; a < 3; ++a) block[(3 * c + a) * leaf.count + lane] = corner[a];
-        }
-        block[9 * leaf.count + lane] = std::bit_cast<float>(primitive);
-        note_leaf(blas.leaf_of_primitive[primitive], code);
-    }
-}
-
-void fill_leaves(Blas::Data& blas, std::span<const std::uint32_t> items, const MeshView& mesh) {
-    blas.leaves.resize(items.size() * kernel::kWordsPerTriangle + kernel::kLeafPadding);
-    std::fill(blas.leaves.end() - kernel::kLeafPadding, blas.leaves.end(), 0.0f);
-    if (blas.root & kernel::kLeafBit) return fill_leaf(blas, items, mesh, blas.root);
-    const tbb::blocked_range<std::size_t> all(0, blas.nodes.size(), kNodesAtOnce);
-    tbb::parallel_for(all, [&](const auto& some) {
-        for (std::size_t i = some.begin(); i < some.end(); ++i) {
-            const kernel::WideNode& node = blas.nodes[i];
-            for (int lane = 0; lane < kernel::kWidth; ++lane)
-                if (node.layers[lane] != 0 && (node.child[lane] & kernel::kLeafBit) != 0)
-                    fill_leaf(blas, items, mesh, node.child[lane]);
-        }
-    });
-}
 
 Box box_of(const BinaryNode& node) {
     return {{node.min[0], node.min[1], node.min[2]}, {node.max[0], node.max[1], node.max[2]}};
@@ -101,7 +55,7 @@ std::shared_ptr<Blas> build_blas(const MeshView& mesh, const BuildOptions& optio
     const MeshView view{mesh.positions, fits ? mesh.triangles : mesh.triangles.first(0)};
 
     data->vertex_count = view.positions.size();
-    data->triangles.assign(view.triangles.begin(), view.triangles.end());
+    data->can_refit = options.can_refit;
     data->leaf_of_primitive.assign(view.triangles.size(), kNone);
     data->bounds = {glm::vec3(kInf), glm::vec3(-kInf)};
     grow_tree(*data, view, options.quality);

@@ -30,9 +30,10 @@ struct Blas::Data {
     Unfilled<kernel::WideNode> nodes;     // a parent stands before its children
     Unfilled<float> leaves;               // triangle blocks, then kLeafPadding words
     std::uint32_t root = kernel::kEmptyTree;
-    Unfilled<glm::uvec3> triangles;                // as given; refit reads them
+    Unfilled<glm::uvec3> triangles;  // lane by lane of all leaves, for refits; empty when there will be none
     std::vector<std::uint32_t> leaf_of_primitive;  // the leaf that holds it, kNone when dropped
     std::size_t vertex_count = 0;
+    bool can_refit = true;
     MeshReport report;
     Box bounds;
     float cost_when_built = 0.0f;

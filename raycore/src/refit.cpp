@@ -1,8 +1,7 @@
 #include "contract.h"
+#include "dispatch.h"
 #include "fit.h"
-#include "triangle_check.h"
 
-#include <glm/common.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -18,115 +17,139 @@ constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr std::uint32_t kParallelNodes = 256;
 constexpr std::size_t kCostBlock = 1024;
 
-const Box kNoBox{glm::vec3(kInf), glm::vec3(-kInf)};
-
-bool is_empty(const Box& box) {
-    return !(box.min.x <= box.max.x);
+float triangles_in(std::uint32_t leaf) {
+    return float(leaf_range(leaf).count);
 }
 
-Box united(const Box& a, const Box& b) {
-    return {glm::min(a.min, b.min), glm::max(a.max, b.max)};
+// 1 for a node, 1 for each triangle of a leaf, by half areas; unused lanes have none.
+double cost_of_lanes(const kernel::WideNode& node, const float (&half_areas)[kernel::kWidth]) {
+    double sum = 0.0;
+    for (int lane = 0; lane < kernel::kWidth; ++lane) {
+        const std::uint32_t child = node.child[lane];
+        const float each = (child & kernel::kLeafBit) != 0 ? triangles_in(child) : 1.0f;
+        if (node.layers[lane] != 0) sum += double(half_areas[lane] * each);
+    }
+    return sum;
 }
 
-float half_area(const Box& box) {
-    if (is_empty(box)) return 0.0f;
-    const glm::vec3 d = box.max - box.min;
-    return (d.x * d.y + d.y * d.z) + d.z * d.x;
+// `below` is the cost of all nodes but the root, which counts as one.
+float relative_cost(double below, const Box& root) {
+    if (!(root.min.x <= root.max.x)) return 1.0f;
+    const glm::vec3 d = root.max - root.min;
+    const double area = double((d.x * d.y + d.y * d.z) + d.z * d.x);
+    return area > 0.0 ? float((below + area) / area) : 1.0f;
 }
 
-Box box_in(const kernel::WideNode& node, int lane) {
-    const auto at = [&](int row) { return node.bounds[row][lane]; };
-    return {{at(0), at(2), at(4)}, {at(1), at(3), at(5)}};
-}
-
-void set_box(kernel::WideNode& node, int lane, const Box& box) {
+// -0 becomes +0, so that a box has one representation; one of nothing is met by nothing.
+Box box_of(const GrowingBox& box) {
+    Box out{glm::vec3(kInf), glm::vec3(-kInf)};
+    if (!(-box.neg_min[0] <= box.max[0])) return out;
     for (int a = 0; a < 3; ++a) {
-        node.bounds[2 * a][lane] = box.min[static_cast<std::size_t>(a)];
-        node.bounds[2 * a + 1][lane] = box.max[static_cast<std::size_t>(a)];
+        out.min[static_cast<std::size_t>(a)] = 0.0f - box.neg_min[a];
+        out.max[static_cast<std::size_t>(a)] = box.max[a] + 0.0f;
     }
+    return out;
 }
 
-// -0 becomes +0, so that a box has one representation.
-glm::vec3 without_negative_zero(const glm::vec3& p) {
-    return p + glm::vec3(0.0f);
-}
-
-Box fit_leaf(Blas::Data& blas, std::uint32_t code, std::span<const glm::vec3> positions) {
-    const LeafRange leaf = leaf_range(code);
-    float* block = blas.leaves.data() + std::size_t{leaf.first} * kernel::kWordsPerTriangle;
-    Box box = kNoBox;
-    for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
-        const glm::uvec3& triangle = blas.triangles[primitive_in(blas.leaves.data(), leaf, lane)];
-        glm::vec3 p[3] = {positions[triangle.x], positions[triangle.y], positions[triangle.z]};
-        if (fault_of(p[0], p[1], p[2]) == TriangleFault::None) {
-            for (const glm::vec3& corner : p) box = united(box, {corner, corner});
-        } else {
-            for (glm::vec3& corner : p) corner = glm::vec3(std::numeric_limits<float>::quiet_NaN());
-        }
-        for (std::uint32_t row = 0; row < 9; ++row) block[row * leaf.count + lane] = p[row / 3][row % 3];
-    }
-    return {without_negative_zero(box.min), without_negative_zero(box.max)};
-}
-
-// A subtree's box, its leaves and boxes fitted on the way up.
-Box fit_child(Blas::Data& blas, std::uint32_t item, std::uint32_t nodes_below,
-              std::span<const glm::vec3> positions) {
-    if (item & kernel::kLeafBit) return fit_leaf(blas, item, positions);
-    Box whole = kNoBox;
-    kernel::WideNode& node = blas.nodes[item];
-    const auto fit_lane = [&](int lane) {
-        if (node.layers[lane] != 0)
-            set_box(node, lane, fit_child(blas, node.child[lane], node.layers[lane], positions));
+class Fitting {
+  public:
+    struct Fitted {
+        Box box;
+        double cost = 0.0;
     };
-    // Lanes are disjoint subtrees and each writes its own; near the leaves a task would cost more than it gains.
-    if (nodes_below >= kParallelNodes) {
-        tbb::parallel_for(0, kernel::kWidth, fit_lane);
-    } else {
-        for (int lane = 0; lane < kernel::kWidth; ++lane) fit_lane(lane);
+
+    Fitting(Blas::Data& blas, std::span<const glm::vec3> positions)
+        : blas_(blas), positions_(&positions[0].x), kernels_(active_build_kernels()) {}
+
+    Box fit_leaf(std::uint32_t code) const {
+        const LeafRange leaf = leaf_range(code);
+        GrowingBox box;
+        kernels_.fit_block(blas_.leaves.data() + std::size_t{leaf.first} * kernel::kWordsPerTriangle,
+                           leaf.count, &blas_.triangles[leaf.first].x, positions_, box);
+        return box_of(box);
     }
-    for (int lane = 0; lane < kernel::kWidth; ++lane)
-        if (node.layers[lane] != 0) whole = united(whole, box_in(node, lane));
-    return whole;
-}
+
+    // A subtree's box and cost, its leaves and boxes fitted on the way up. Costs are added up along the tree: one sum
+    // for any number of threads.
+    Fitted fit_node(std::uint32_t index, std::uint32_t nodes_below) const {
+        kernel::WideNode& node = blas_.nodes[index];
+        double costs[kernel::kWidth] = {};
+        const auto fit_lane = [&](int lane) {
+            if (node.layers[lane] == 0) return;
+            const std::uint32_t child = node.child[lane];
+            Fitted below;
+            if (child & kernel::kLeafBit) {
+                below.box = fit_leaf(child);
+            } else {
+                below = fit_node(child, node.layers[lane]);
+            }
+            costs[lane] = below.cost;
+            for (std::size_t a = 0; a < 3; ++a) {
+                node.bounds[2 * a][lane] = below.box.min[a];
+                node.bounds[2 * a + 1][lane] = below.box.max[a];
+            }
+        };
+        // Lanes are disjoint subtrees and each writes its own; near the leaves a task would cost more than it gains.
+        if (nodes_below >= kParallelNodes) {
+            tbb::parallel_for(0, kernel::kWidth, fit_lane);
+        } else {
+            for (int lane = 0; lane < kernel::kWidth; ++lane) fit_lane(lane);
+        }
+        GrowingBox box;
+        float half_areas[kernel::kWidth];
+        kernels_.measure_lanes(node, box, half_areas);
+        double cost = cost_of_lanes(node, half_areas);
+        for (const double below : costs) cost += below;
+        return {box_of(box), cost};
+    }
+
+  private:
+    Blas::Data& blas_;
+    const float* positions_;
+    const kernel::BuildKernels& kernels_;
+};
 
 }  // namespace
 
 void fit(Blas::Data& blas, std::span<const glm::vec3> positions) {
-    blas.bounds = blas.root == kernel::kEmptyTree
-                      ? kNoBox
-                      : fit_child(blas, blas.root, static_cast<std::uint32_t>(blas.nodes.size()), positions);
-    blas.cost = cost_of(blas);
+    if (blas.root == kernel::kEmptyTree) return;
+    const Fitting fitting(blas, positions);
+    if (blas.root & kernel::kLeafBit) {
+        blas.bounds = fitting.fit_leaf(blas.root);
+        return;
+    }
+    const auto [box, cost] = fitting.fit_node(blas.root, static_cast<std::uint32_t>(blas.nodes.size()));
+    blas.bounds = box;
+    blas.cost = relative_cost(cost, box);
 }
 
 float cost_of(const Blas::Data& blas) {
     if (blas.root == kernel::kEmptyTree) return 0.0f;
-    const auto count_in = [](std::uint32_t leaf) { return float(leaf_range(leaf).count); };
-    if (blas.root & kernel::kLeafBit) return count_in(blas.root);
-    const double root_area = double(half_area(blas.bounds));
-    if (!(root_area > 0.0)) return 1.0f;
+    if (blas.root & kernel::kLeafBit) return triangles_in(blas.root);
+    const kernel::BuildKernels& kernels = active_build_kernels();
     // Blocks of fixed size, added up in order: one sum for any thread count.
     std::vector<double> sums((blas.nodes.size() + kCostBlock - 1) / kCostBlock, 0.0);
     tbb::parallel_for(std::size_t{0}, sums.size(), [&](std::size_t block) {
         const std::size_t end = std::min(blas.nodes.size(), (block + 1) * kCostBlock);
         for (std::size_t i = block * kCostBlock; i < end; ++i) {
-            const kernel::WideNode& node = blas.nodes[i];
-            for (int lane = 0; lane < kernel::kWidth; ++lane) {
-                if (node.layers[lane] == 0) continue;
-                const bool is_leaf = (node.child[lane] & kernel::kLeafBit) != 0;
-                sums[block] +=
-                    double(half_area(box_in(node, lane)) * (is_leaf ? count_in(node.child[lane]) : 1.0f));
-            }
+            GrowingBox box;
+            float half_areas[kernel::kWidth];
+            kernels.measure_lanes(blas.nodes[i], box, half_areas);
+            sums[block] += cost_of_lanes(blas.nodes[i], half_areas);
         }
     });
-    double sum = root_area;
+    double sum = 0.0;
     for (const double part : sums) sum += part;
-    return float(sum / root_area);
+    return relative_cost(sum, blas.bounds);
 }
 
-void refit_blas(Blas& blas, std::span<const glm::vec3> positions) {
-    RC_EXPECTS(positions.size() == blas.data().vertex_count, "refit_blas with as many vertices as at build");
-    if (positions.size() != blas.data().vertex_count) return;
-    fit(blas.data(), positions);
+bool refit_blas(Blas& blas, std::span<const glm::vec3> positions) {
+    Blas::Data& data = blas.data();
+    RC_EXPECTS(positions.size() == data.vertex_count, "refit_blas with as many vertices as at build");
+    RC_EXPECTS(data.can_refit, "a tree built to be refitted");
+    if (positions.size() != data.vertex_count || !data.can_refit) return false;
+    fit(data, positions);
+    return true;
 }
 
 }  // namespace rc

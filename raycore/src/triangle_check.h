@@ -1,15 +1,14 @@
 // triangle_check.h - which triangles are worth keeping: one answer for build, refit and report.
 #pragma once
 
+#include "kernels/build_abi.h"
+
 #include <glm/vec3.hpp>
 
 #include <cstdint>
 #include <span>
 
 namespace rc {
-
-// Beyond 2^60 products of differences would leave single precision; such a vertex counts as infinite.
-inline constexpr float kLargestCoordinate = 0x1p60f;
 
 enum class TriangleFault { None, IndexOutOfRange, NotFinite, ZeroArea };
 

@@ -3,9 +3,14 @@
 // Same bits the loops compare, add and multiply in single precision, never fused: every ISA finds the same split.
 #pragma once
 
+#include "kernel_abi.h"
+
 #include <cstdint>
 
 namespace rc {
+
+// Beyond 2^60 products of differences would leave single precision; such a vertex counts as infinite.
+inline constexpr float kLargestCoordinate = 0x1p60f;
 
 // A box as -min and max: both grow by taking the larger, eight floats at a time. The fourth of each four means nothing.
 struct alignas(32) GrowingBox {
@@ -91,6 +96,12 @@ struct BuildKernels {
     void (*bin_pieces)(const BuildRef* refs, std::uint64_t n, const MeshArrays& mesh, const SlabGrid& grid,
                        SlabBins& bins);
     void (*best_plane)(const SlabBins& bins, Split& split);
+    // Fills the nine rows of corners of a block of n triangles; the box of those that triangle_check.h finds no fault
+    // with. The others' corners become NaN.
+    void (*fit_block)(float* block, std::uint32_t n, const std::uint32_t* triangles, const float* positions,
+                      GrowingBox& box);
+    // The box of what `node`'s lanes hold, and their half areas.
+    void (*measure_lanes)(const WideNode& node, GrowingBox& box, float (&half_areas)[kWidth]);
 };
 
 extern const BuildKernels kScalarBuildKernels;
