@@ -1,7 +1,6 @@
 #include "render/ambient.h"
 
 #include "base/contracts.h"
-#include "render/octahedron.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -15,26 +14,6 @@ namespace {
 
 // Looked up a little before the surface: the very wall one stands on must not count as what hides a point.
 constexpr float kNormalBias = 0.2f;  // of a cell
-
-constexpr float kUnlikely = 0.2f;
-
-// Chebyshev's bound on the share of directions nearby that reach as far as `distance`.
-float share_that_reaches(const glm::vec2& moments, float distance) {
-    if (!(distance > moments.x)) return 1.0f;
-    const float variance = std::max(moments.y - moments.x * moments.x, 1e-4f * moments.y);
-    const float beyond = distance - moments.x;
-    // A bound is never quite 0; what is this unlikely is behind a wall.
-    const float share =
-        std::max(0.0f, variance / (variance + beyond * beyond) - kUnlikely) / (1.0f - kUnlikely);
-    return share * share * share;
-}
-
-glm::vec2 sight_towards(const SightMap& sight, const glm::vec3& direction) {
-    const OctahedralTexels texels = octahedral_texels(direction, kSightSide);
-    glm::vec2 sum(0.0f);
-    for (std::size_t i = 0; i < 4; ++i) sum += sight.moments[texels.index[i]] * texels.weight[i];
-    return sum;
-}
 
 }  // namespace
 
@@ -52,29 +31,26 @@ GridWeights AmbientBake::weights(const glm::vec3& position, const glm::vec3& nor
     const glm::vec3 along = glm::clamp((from - grid.point_position(cell)) / grid.spacing, 0.0f, 1.0f);
 
     std::array<float, 8> plain{};
-    float total = 0.0f, plain_total = 0.0f;
-    for (int corner = 0; corner < 8; ++corner) {
+    for (std::size_t corner = 0; corner < 8; ++corner) {
         const glm::ivec3 step(corner & 1, (corner >> 1) & 1, corner >> 2);
-        const glm::ivec3 at = cell + step;
-        const auto i = static_cast<std::size_t>(corner);
-        const auto point = static_cast<std::uint32_t>(grid.point_index(at));
-        result.point[i] = point;
-
+        const auto point = static_cast<std::uint32_t>(grid.point_index(cell + step));
         const glm::vec3 nearness = glm::mix(glm::vec3(1.0f) - along, along, glm::vec3(step));
-        const SightMap& sight = sights[point];
-        plain[i] = nearness.x * nearness.y * nearness.z * sight.validity;
+        result.point[corner] = point;
+        plain[corner] = nearness.x * nearness.y * nearness.z * validity[point];
+    }
+    const glm::vec3 low = grid.point_position(cell);
+    weigh_probes({.moments = &sights[0].moments[0].x,
+                  .point = result.point.data(),
+                  .plain = plain.data(),
+                  .from = {from.x, from.y, from.z},
+                  .low = {low.x, low.y, low.z},
+                  .spacing = {grid.spacing.x, grid.spacing.y, grid.spacing.z},
+                  .normal = {normal.x, normal.y, normal.z}},
+                 result.weight.data());
+    float total = 0.0f, plain_total = 0.0f;
+    for (std::size_t i = 0; i < 8; ++i) {
+        total += result.weight[i];
         plain_total += plain[i];
-        if (!(plain[i] > 0.0f)) continue;
-
-        const glm::vec3 offset = from - grid.point_position(at);
-        const float distance = glm::length(offset);
-        const glm::vec3 direction = distance > 0.0f ? offset / distance : normal;
-        const float before = 0.5f - 0.5f * glm::dot(direction, normal);  // 0: the point is behind the surface
-        const float facing = before * before + 0.05f;
-        const float weight =
-            plain[i] * facing * share_that_reaches(sight_towards(sight, direction), distance);
-        result.weight[i] = weight;
-        total += weight;
     }
     // Where every point is hidden a rough answer is better than none.
     const bool is_hidden = !(total > 1e-4f * plain_total);

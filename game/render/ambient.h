@@ -9,6 +9,7 @@
 #pragma once
 
 #include "render/grid.h"
+#include "render/probe_weights.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -27,11 +28,10 @@ struct AmbientCube {
 };
 
 // How far a grid point sees: octahedral map of mean distance and mean squared distance, metres.
-inline constexpr int kSightSide = 6;
 struct SightMap {
-    std::array<glm::vec2, static_cast<std::size_t>(kSightSide) * kSightSide> moments{};
-    float validity = 0.0f;  // 0 inside walls
+    std::array<glm::vec2, kSightMoments / 2> moments{};
 };
+static_assert(sizeof(SightMap) == kSightMoments * sizeof(float));
 
 // Up to eight grid points and their weights, which sum to 1 (or all 0 where no point is valid).
 struct GridWeights {
@@ -43,6 +43,7 @@ struct GridWeights {
 struct AmbientBake {
     Grid grid;
     std::vector<SightMap> sights;  // one a grid point; empty: no ambient light
+    std::vector<float> validity;   // one a grid point: 0 inside walls
     std::vector<std::vector<AmbientCube>>
         cubes;  // [lamp group; the last: light no switch turns off][grid point]
 

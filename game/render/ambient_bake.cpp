@@ -192,7 +192,7 @@ void look_round(Bake& bake, std::size_t point) {
     }
     SightMap& sight = bake.result.sights[point];
     const float share = static_cast<float>(back_faces) / static_cast<float>(std::max(1, faces));
-    sight.validity = share > kMostBackFaces ? 0.0f : 1.0f;
+    bake.result.validity[point] = share > kMostBackFaces ? 0.0f : 1.0f;
     set_sight(sight, bake.directions, distances);
 }
 
@@ -242,7 +242,10 @@ AmbientBake bake_ambient(const SceneView& view, const Grid& grid, const BakeSett
               .directions = directions,
               .per_side = light_per_side(directions),
               .always = groups - 1,
-              .result = {.grid = grid, .sights = std::vector<SightMap>(points), .cubes = {}},
+              .result = {.grid = grid,
+                         .sights = std::vector<SightMap>(points),
+                         .validity = std::vector<float>(points),
+                         .cubes = {}},
               .patches = {},
               .first = {},
               .is_lit_by = std::vector<std::bitset<kMostGroups>>(points)};
