@@ -25,6 +25,13 @@ bool projects_inside(const glm::dvec3& point, const Corners& c, const glm::dvec3
     return true;
 }
 
+// Whether the foot is where the height says, as far as doubles can tell. In triangles 1e9 times longer than wide it may
+// not be; their edges are as near as the face then.
+bool is_below(const glm::dvec3& point, const glm::dvec3& foot, double height, const Corners& c) {
+    const double size = std::sqrt(std::max({square(c[1] - c[0]), square(c[2] - c[0]), square(point - c[0])}));
+    return square(point - foot) <= (1.001 * height + 1e-9 * size) * (1.001 * height + 1e-9 * size);
+}
+
 struct Pair {
     glm::dvec3 on_axis;
     glm::dvec3 on_edge;
@@ -111,6 +118,7 @@ Closest closest_points(const glm::dvec3& axis, const Corners& c, const glm::dvec
             const double height = glm::dot(normal, end - c[0]);
             glm::dvec3 foot;
             if (!(std::abs(height) < best.distance) || !projects_inside(end, c, cross, foot)) continue;
+            if (!is_below(end, foot, std::abs(height), c)) continue;
             // The plane's own normal, not the difference of two near points: it does not waver along a floor.
             best.distance = std::abs(height);
             best.on_axis = end;

@@ -132,17 +132,20 @@ class Search {
             for (std::uint32_t c = 0; c < 3; ++c)
                 corners[c] =
                     glm::dvec3(world_corner(world_from_instance, corner_in(leaves, leaf, lane, c))) - point_;
-            if (is_box_beyond(corners)) continue;
-            keep(cast::closest_points(glm::dvec3(0.0), corners, glm::dvec3(0.0)), id,
-                 primitive_in(leaves, leaf, lane));
+            // Never nearer than its own box, rounding or not: what a tree's boxes cut off could not have won.
+            const double least = box_distance(corners);
+            if (is_beyond(least)) continue;
+            cast::Closest closest = cast::closest_points(glm::dvec3(0.0), corners, glm::dvec3(0.0));
+            closest.distance = std::max(closest.distance, least);
+            keep(closest, id, primitive_in(leaves, leaf, lane));
         }
     }
 
-    [[nodiscard]] bool is_box_beyond(const cast::Corners& c) const {
+    [[nodiscard]] static double box_distance(const cast::Corners& c) {
         const glm::dvec3 low = glm::min(c[0], glm::min(c[1], c[2])),
                          high = glm::max(c[0], glm::max(c[1], c[2]));
         const glm::dvec3 off = glm::max(glm::max(low, -high), glm::dvec3(0.0));
-        return is_beyond(std::sqrt(glm::dot(off, off)));
+        return std::sqrt(glm::dot(off, off));
     }
 
     void keep(const cast::Closest& closest, std::uint32_t instance, std::uint32_t primitive) {

@@ -213,6 +213,30 @@ TEST(ClosestPointAlone, WhatCanNotBeMetIsNearNobody) {
     EXPECT_FLOAT_EQ(nearest->distance, std::sqrt(25.0f + 0.5f * (1.0f + std::sqrt(0.5f))));
 }
 
+// Found by fuzzing: a triangle 1e14 m long seemed 5 cm away at a foot 5e12 m off, and only some trees' boxes hid it.
+TEST(ClosestPointAlone, TrianglesTooLongForDoublesAreAsNearInEveryTree) {
+    World world;
+    Mesh mesh{{{3.32421875f, -2.55363941e+14f, -0.0481784232f},
+               {3.0f, -3.46944695e-17f, 1.0f},
+               {-0.0f, 4.23603412e-23f, 1.28125f},
+               {2.26171875f, 3.5f, 1.9921875f},
+               {-2.20703125f, 2.5f, -0.71484375f}},
+              {{0, 1, 2}, {1, 3, 4}}};
+    append(mesh, make_ball({40, 0, 0}, 1.0f, 2));  // so that there is a tree at all
+    world.add(std::move(mesh), glm::mat4x3(1, 0, 0, 0.5f, -3.5f, 0, 0, 0, 2.5f, -1.5f, 2.02734f, 0));
+    const glm::vec3 point(0.0f, -3.9296875f, 3.0f);
+    const long double truth = world.distance_from(point);
+    for (const rc::BuildQuality quality :
+         {rc::BuildQuality::Fast, rc::BuildQuality::Default, rc::BuildQuality::High}) {
+        world.commit(quality);
+        const auto nearest = rc::closest_point(*world.scene, point, rc::kInfinity, kAll);
+        ASSERT_TRUE(nearest);
+        // What a double loses on the way along that triangle, a few times over.
+        EXPECT_NEAR(static_cast<double>(nearest->distance), static_cast<double>(truth), 8 * 0x1p-53 * 9e14);
+        EXPECT_LT(glm::length(nearest->point - point), 3.0f) << "the point named is where the distance says";
+    }
+}
+
 TEST(ClosestPointAlone, ABatchIsAnsweredAsEachAlone) {
     const World world = a_museum(rc::BuildQuality::High);
     Random random(47);
