@@ -40,7 +40,8 @@ static HWY_INLINE Floats green_of(Floats r, Floats y, Floats b) {
 }
 
 static HWY_INLINE Colour part_at(const float* const from[3], std::size_t x) {
-    const Floats r = light_or_black(from[0], x), y = light_or_black(from[1], x), b = light_or_black(from[2], x);
+    const Floats r = light_or_black(from[0], x), y = light_or_black(from[1], x),
+                 b = light_or_black(from[2], x);
     return {r, green_of(r, y, b), b};
 }
 

@@ -20,7 +20,8 @@ static void change_row(const ChangeRow& row) {
         const Floats most = choose(hn::Gt(now, then), now, then);
         const Floats share = hn::Div(hn::Abs(hn::Sub(now, then)), most);
         const Lanes known = hn::And(hn::Gt(most, hn::Zero(F())), is_finite(hn::Add(now, then)));
-        store(zero_unless(hn::And(known, is_finite(share)), choose(hn::Lt(share, splat(1.0f)), share, splat(1.0f))),
+        store(zero_unless(hn::And(known, is_finite(share)),
+                          choose(hn::Lt(share, splat(1.0f)), share, splat(1.0f))),
               row.change + x);
     }
 }
@@ -99,7 +100,8 @@ void lamp_change(const Plane& now, const Plane& then, const Jobs& jobs, Plane& c
     EXPECTS(now.width() == then.width() && now.height() == then.height());
     change.fit(now.width(), now.height());
     run_rows(now.height(), jobs, [&](int y) {
-        const ChangeRow row{.now = now.row(y), .then = then.row(y), .width = now.width(), .change = change.row(y)};
+        const ChangeRow row{
+            .now = now.row(y), .then = then.row(y), .width = now.width(), .change = change.row(y)};
         HWY_DYNAMIC_DISPATCH(change_row)(row);
     });
 }
@@ -147,7 +149,8 @@ void gradients(const Reshaded& samples, int width, int height, const Jobs& jobs,
             const float share = smoothed_change(samples, i, j);
             for (int y = j * samples.side; y < std::min(height, (j + 1) * samples.side); ++y) {
                 float* row = change.row(y);
-                for (int x = i * samples.side; x < std::min(width, (i + 1) * samples.side); ++x) row[x] = share;
+                for (int x = i * samples.side; x < std::min(width, (i + 1) * samples.side); ++x)
+                    row[x] = share;
             }
         }
     });

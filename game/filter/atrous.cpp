@@ -27,6 +27,7 @@ struct Gathering {
     Floats middle, scale;  // luminance; quarter of the reciprocal of what it may differ by
     Floats at_most;        // weight's fourth root of a neighbour like itself: less than 1 for stiff signals
     Floats variance;       // about here
+    Lanes sure;            // whose noise is less than rounding
     Floats r, y, b, weight, squares;
 };
 
@@ -58,8 +59,10 @@ static HWY_INLINE Gathering begin(const AtrousRow& row, std::size_t x) {
     Gathering to;
     to.variance = smooth_variance<kEdge>(row, x);
     to.middle = load(row.light[1] + x);
-    const Floats may_differ = hn::Add(hn::Mul(hn::Sqrt(to.variance), splat(row.luminance_sigmas)),
-                                      hn::Add(hn::Mul(hn::Abs(to.middle), splat(kLeastDifference)), splat(1e-20f)));
+    const Floats by_noise = hn::Mul(hn::Sqrt(to.variance), splat(row.luminance_sigmas));
+    const Floats by_rounding = hn::Mul(hn::Abs(to.middle), splat(kLeastDifference));
+    to.sure = hn::Le(by_noise, by_rounding);
+    const Floats may_differ = hn::Add(by_noise, hn::Add(by_rounding, splat(1e-20f)));
     to.scale = hn::Div(splat(0.25f), may_differ);
     to.at_most = splat(1.0f);
     if (row.stiffness != nullptr) {
@@ -87,19 +90,19 @@ static HWY_INLINE void add_neighbour(const AtrousRow& row, std::ptrdiff_t at, Fl
     to.weight = hn::Add(to.weight, weight);
 }
 
+static HWY_INLINE void store_smooth(const Gathering& from, Floats smooth, const float* own, float* to) {
+    store(choose(from.sure, load(own), smooth), to);
+}
+
 // The neighbours' variance is taken to be what it is about here: one plane less to read for every neighbour, and each
 // estimate alone is poor anyway.
 static HWY_INLINE void finish(const Gathering& from, const AtrousRow& row, std::size_t x) {
     const Floats share = hn::Div(splat(1.0f), from.weight);
-    store(hn::Mul(from.r, share), row.out_light[0] + x);
-    store(hn::Mul(from.y, share), row.out_light[1] + x);
-    store(hn::Mul(from.b, share), row.out_light[2] + x);
-    store(hn::Mul(hn::Mul(from.variance, from.squares), hn::Mul(share, share)), row.out_variance + x);
-}
-
-// Whether all of these pixels are black and sure of it: then only black neighbours would count.
-static HWY_INLINE bool is_dark(const Gathering& pixels) {
-    return hn::AllTrue(F(), hn::Eq(hn::Add(hn::Abs(pixels.middle), pixels.variance), hn::Zero(F())));
+    store_smooth(from, hn::Mul(from.r, share), row.light[0] + x, row.out_light[0] + x);
+    store_smooth(from, hn::Mul(from.y, share), row.light[1] + x, row.out_light[1] + x);
+    store_smooth(from, hn::Mul(from.b, share), row.light[2] + x, row.out_light[2] + x);
+    const Floats variance = hn::Mul(hn::Mul(from.variance, from.squares), hn::Mul(share, share));
+    store_smooth(from, variance, row.variance + x, row.out_variance + x);
 }
 
 static void keep_pixels(const AtrousRow& row, std::size_t x) {
@@ -110,7 +113,7 @@ static void keep_pixels(const AtrousRow& row, std::size_t x) {
 template <int kRadius, bool kEdge>
 static HWY_INLINE void smooth_pixels(const AtrousRow& row, std::size_t x) {
     Gathering to = begin<kEdge>(row, x);
-    if (is_dark(to)) return keep_pixels(row, x);
+    if (hn::AllTrue(F(), to.sure)) return keep_pixels(row, x);
     const Surface surface = surface_at(row.guides, x, static_cast<float>(row.step));
     const float* spline = kSpline[kRadius - 1];
     for (int j = 0; j <= 2 * kRadius; ++j) {
@@ -209,8 +212,8 @@ void make_signal(const Plane3& light, const Plane& variance, const Jobs& jobs, S
     });
 }
 
-const Signal& atrous(const Guides& guides, const SignalView& in, const AtrousSettings& settings, const Jobs& jobs,
-                     Signal scratch[2]) {
+const Signal& atrous(const Guides& guides, const SignalView& in, const AtrousSettings& settings,
+                     const Jobs& jobs, Signal scratch[2]) {
     EXPECTS(settings.levels >= 1);
     SignalView from = in;
     for (int level = 0; level < settings.levels; ++level) {

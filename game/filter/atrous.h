@@ -3,7 +3,8 @@
 // An edge-avoiding a-trous wavelet transform (Dammertz et al. 2010) guided by variance (Schied et al. 2017, equations
 // 2-5): level i averages 3x3 (or 5x5) pixels 2^i apart; a neighbour counts less the more its nearness, its normal and,
 // measured in standard deviations of the pixel's noise, its luminance differ. Variance is filtered along, so each level
-// is surer of what it sees. Where there is no noise, nothing is blurred.
+// is surer of what it sees. A pixel without noise, in full light or in full shadow, stays as it is, and sixteen such
+// beside each other cost next to nothing.
 //
 // Cost      per level about 15 cycles a pixel with AVX-512 (3x3), twice that for 5x5. Levels are apart by a barrier.
 //           (Two signals at once, with the geometry worked out once for both, took as long as one after the other:
@@ -43,8 +44,8 @@ struct SignalView {
 void make_signal(const Plane3& light, const Plane& variance, const Jobs& jobs, Signal& signal);
 
 struct AtrousSettings {
-    int levels = 5;  // reaches 2^levels pixels either way
-    int radius = 1;  // 1: 3x3, 2: 5x5
+    int levels = 5;                 // reaches 2^levels pixels either way
+    int radius = 1;                 // 1: 3x3, 2: 5x5
     float luminance_sigmas = 4.0f;  // by so many standard deviations light may differ (sigma_l of the paper)
 };
 
@@ -53,7 +54,7 @@ void atrous_level(const Guides& guides, const SignalView& in, const AtrousSettin
                   const Jobs& jobs, Signal& out);
 
 // All levels (at least one) of one signal, by turns into the two of `scratch`; returns the one that holds the result.
-const Signal& atrous(const Guides& guides, const SignalView& in, const AtrousSettings& settings, const Jobs& jobs,
-                     Signal scratch[2]);
+const Signal& atrous(const Guides& guides, const SignalView& in, const AtrousSettings& settings,
+                     const Jobs& jobs, Signal scratch[2]);
 
 }  // namespace gh::filter

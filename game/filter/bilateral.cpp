@@ -28,7 +28,8 @@ static HWY_INLINE Colour colour_at(const float* const planes[3], std::ptrdiff_t 
 // Everything but geometry that tells two pixels apart.
 static HWY_INLINE Floats unlike(const BilateralRow& row, std::ptrdiff_t x, std::ptrdiff_t at) {
     const Colour here = colour_at(row.light, x), there = colour_at(row.light, at);
-    const Floats luma = hn::Abs(hn::Sub(luminance(here.r, here.g, here.b), luminance(there.r, there.g, there.b)));
+    const Floats luma =
+        hn::Abs(hn::Sub(luminance(here.r, here.g, here.b), luminance(there.r, there.g, there.b)));
     Floats sum = hn::Mul(luma, splat(row.luminance_scale));
     if (row.albedo[0] != nullptr) {
         const Colour a = colour_at(row.albedo, x), b = colour_at(row.albedo, at);
@@ -56,7 +57,8 @@ static void bilateral_pixels(const BilateralRow& row, std::size_t x) {
             Floats off = hn::Add(unlike(row, first, at), splat(*spatial));
             if (has_guides) off = hn::Add(off, apart(surface, row.guides, at, beside(surface, base, dx)));
             // An albedo may be anything, NaN too: then it is not alike.
-            const Lanes counts = hn::And(inside(pixel_numbers(first + dx), row.width), hn::Lt(off, splat(1.0f)));
+            const Lanes counts =
+                hn::And(inside(pixel_numbers(first + dx), row.width), hn::Lt(off, splat(1.0f)));
             const Floats weight = zero_unless(counts, falloff(zero_unless(counts, off)));
             const Colour there = colour_at(row.light, at);
             sum = {hn::Add(sum.r, hn::Mul(weight, there.r)), hn::Add(sum.g, hn::Mul(weight, there.g)),
@@ -70,7 +72,8 @@ static void bilateral_pixels(const BilateralRow& row, std::size_t x) {
 }
 
 static void bilateral_row(const BilateralRow& row) {
-    for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) bilateral_pixels(row, x);
+    for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count())
+        bilateral_pixels(row, x);
 }
 
 }  // namespace gh::filter::HWY_NAMESPACE
@@ -132,8 +135,8 @@ void bilateral(const Plane3& in, const BilateralSettings& settings, const Jobs& 
     run(in, nullptr, nullptr, settings, jobs, out);
 }
 
-void cross_bilateral(const Plane3& in, const Guides& guides, const Plane3& albedo, const BilateralSettings& settings,
-                     const Jobs& jobs, Plane3& out) {
+void cross_bilateral(const Plane3& in, const Guides& guides, const Plane3& albedo,
+                     const BilateralSettings& settings, const Jobs& jobs, Plane3& out) {
     EXPECTS(guides.width() == in.width() && guides.height() == in.height());
     EXPECTS(albedo.empty() || (albedo.width() == in.width() && albedo.height() == in.height()));
     run(in, &guides, albedo.empty() ? nullptr : &albedo, settings, jobs, out);

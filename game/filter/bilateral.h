@@ -25,7 +25,7 @@ struct BilateralSettings {
 void bilateral(const Plane3& in, const BilateralSettings& settings, const Jobs& jobs, Plane3& out);
 
 // By what is known of the surfaces: `guides`, and `albedo` unless it is empty; and by luminance if that is asked for.
-void cross_bilateral(const Plane3& in, const Guides& guides, const Plane3& albedo, const BilateralSettings& settings,
-                     const Jobs& jobs, Plane3& out);
+void cross_bilateral(const Plane3& in, const Guides& guides, const Plane3& albedo,
+                     const BilateralSettings& settings, const Jobs& jobs, Plane3& out);
 
 }  // namespace gh::filter

@@ -37,28 +37,30 @@ void Denoiser::forget() {
     *this = Denoiser();
 }
 
-void Denoiser::accumulate_track(const Plane3& light, const Plane& change, const Plane3* albedo, const Step& step,
-                                Track& track) {
+void Denoiser::accumulate_track(const Plane3& light, const Plane& change, const Plane3* albedo,
+                                const Step& step, Track& track) {
     Plane3& samples = track.scratch[0].light;
     mend(light, step.settings.mend, step.jobs, samples);
     if (albedo != nullptr) demodulate(samples, *albedo, step.jobs, samples);
     std::swap(track.before, track.mean);
     accumulate(samples, change, taps_, track.before, step.settings.temporal, step.jobs, track.mean);
     if (step.settings.settles) {
-        settle({step.settings.settle_sigmas, step.settings.temporal.fast_longest}, step.jobs, track.mean, sums_);
+        settle({step.settings.settle_sigmas, step.settings.temporal.fast_longest}, step.jobs, track.mean,
+               sums_);
     }
     estimate_variance(track.mean, guides_, step.jobs, track.variance);
     track.smooth = &track.mean.light;
 }
 
-void Denoiser::smooth_track(const AtrousSettings& settings, const Plane* stiffness, const Step& step, Track& track) {
+void Denoiser::smooth_track(const AtrousSettings& settings, const Plane* stiffness, const Step& step,
+                            Track& track) {
     if (settings.levels == 0) return;
     const SignalView view{&track.mean.light, &track.variance, stiffness};
     track.smooth = &atrous(guides_, view, settings, step.jobs, track.scratch).light;
 }
 
-void Denoiser::denoise(const GBuffer& surfaces, const Light& light, const DenoiseSettings& settings, const Jobs& jobs,
-                       Plane3& out) {
+void Denoiser::denoise(const GBuffer& surfaces, const Light& light, const DenoiseSettings& settings,
+                       const Jobs& jobs, Plane3& out) {
     const Step step{surfaces, settings, jobs};
     const bool has_direct = !light.direct.empty(), has_indirect = !light.indirect.empty();
     const bool has_specular = !light.specular.empty();
@@ -70,7 +72,8 @@ void Denoiser::denoise(const GBuffer& surfaces, const Light& light, const Denois
     make_guides(surfaces, jobs, guides_);
     if (has_direct || has_indirect) reproject(surfaces, guides_, seen_, Motion::OfSurface, jobs, taps_);
     if (has_direct) accumulate_track(light.direct, light.direct_change, &surfaces.albedo, step, direct_);
-    if (has_indirect) accumulate_track(light.indirect, light.indirect_change, &surfaces.albedo, step, indirect_);
+    if (has_indirect)
+        accumulate_track(light.indirect, light.indirect_change, &surfaces.albedo, step, indirect_);
     if (has_specular) {
         reproject(surfaces, guides_, seen_, Motion::OfReflection, jobs, taps_);
         accumulate_track(light.specular, light.direct_change, nullptr, step, specular_);

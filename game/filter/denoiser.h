@@ -42,8 +42,8 @@ class Denoiser {
     void forget();
 
     // `out` is made to fit, linear radiance like `light`.
-    void denoise(const GBuffer& surfaces, const Light& light, const DenoiseSettings& settings, const Jobs& jobs,
-                 Plane3& out);
+    void denoise(const GBuffer& surfaces, const Light& light, const DenoiseSettings& settings,
+                 const Jobs& jobs, Plane3& out);
 
     // Samples in the mean of each pixel's direct light, for views of what the filter does.
     [[nodiscard]] const Plane& history_length() const { return direct_.mean.length; }

@@ -46,7 +46,8 @@ static HWY_INLINE Floats blend(const Floats value[4], const Floats weight[4]) {
     }
     const Floats raised = choose(hn::Lt(sum, low), low, sum);
     const Floats clamped = choose(hn::Gt(raised, high), high, raised);
-    return hn::Add(clamped, hn::Zero(F()));  // there is one zero: targets differ in which of two Min and Max return
+    return hn::Add(clamped,
+                   hn::Zero(F()));  // there is one zero: targets differ in which of two Min and Max return
 }
 
 static void cubic_down_row(const CubicDownRow& row) {
@@ -81,14 +82,15 @@ static void cubic_across_row(const CubicAcrossRow& row) {
 // What a tap on another surface still counts, so that a pixel with no surface of its own kind near takes something.
 constexpr float kForeign = 1e-6f;
 
-static HWY_INLINE Floats alike(const Surface& surface, const GuideRows& small, const Places& places, int right, Floats dx,
-                               Floats dy) {
+static HWY_INLINE Floats alike(const Surface& surface, const GuideRows& small, const Places& places,
+                               int right, Floats dx, Floats dy) {
     const Floats nearness = read_at(small.nearness, places, right);
     const Floats foretold =
         hn::Add(surface.nearness, hn::Add(hn::Mul(surface.slope_x, dx), hn::Mul(surface.slope_y, dy)));
     const Floats off = hn::Mul(hn::Abs(hn::Sub(nearness, foretold)), surface.scale);
-    const Floats cosine = dot(surface.nx, surface.ny, surface.nz, read_at(small.normal[0], places, right),
-                              read_at(small.normal[1], places, right), read_at(small.normal[2], places, right));
+    const Floats cosine =
+        dot(surface.nx, surface.ny, surface.nz, read_at(small.normal[0], places, right),
+            read_at(small.normal[1], places, right), read_at(small.normal[2], places, right));
     const Floats apart = hn::Add(off, hn::Abs(hn::Sub(splat(0.25f * kNormalSharpness), cosine)));
     const Lanes both_sky = hn::Eq(hn::Add(nearness, surface.nearness), hn::Zero(F()));
     return choose(both_sky, splat(1.0f), hn::Add(falloff(apart), splat(kForeign)));
@@ -147,7 +149,8 @@ CubicTap cubic_tap(int large, int from, int to) {
     const float centre = centre_of(std::min(large, to - 1), from, to);
     const float left = std::floor(centre);
     const float t = centre - left;
-    CubicTap tap{static_cast<int>(left) - 1, {mitchell(1.0f + t), mitchell(t), mitchell(1.0f - t), mitchell(2.0f - t)}};
+    CubicTap tap{static_cast<int>(left) - 1,
+                 {mitchell(1.0f + t), mitchell(t), mitchell(1.0f - t), mitchell(2.0f - t)}};
     const float sum = (tap.weight[0] + tap.weight[1]) + (tap.weight[2] + tap.weight[3]);
     for (float& weight : tap.weight) weight /= sum;
     return tap;
@@ -170,8 +173,8 @@ struct CubicColumns {
 
 constexpr std::size_t kBefore = 16;  // room before and behind a middle row
 
-void enlarge_row(const Plane& in, const CubicTap& lines, const ColumnTaps& columns, std::vector<float>& middle,
-                 int width, float* out) {
+void enlarge_row(const Plane& in, const CubicTap& lines, const ColumnTaps& columns,
+                 std::vector<float>& middle, int width, float* out) {
     CubicDownRow down{};
     for (int k = 0; k < 4; ++k) {
         const int line = std::clamp(lines.first + k, 0, in.height() - 1);
@@ -222,7 +225,8 @@ PairTap pair_tap(int large, int from, int to) {
     const float ratio = static_cast<float>(to) / static_cast<float>(from);
     const float centre = centre_of(std::min(large, to - 1), from, to);
     const float left = std::clamp(std::floor(centre), 0.0f, static_cast<float>(std::max(0, from - 2)));
-    return {static_cast<int>(left), std::clamp(centre - left, 0.0f, from > 1 ? 1.0f : 0.0f),
+    return {static_cast<int>(left),
+            std::clamp(centre - left, 0.0f, from > 1 ? 1.0f : 0.0f),
             {(left - centre) * ratio, (left + 1.0f - centre) * ratio}};
 }
 
@@ -243,7 +247,8 @@ struct PairColumns {
 
 }  // namespace
 
-void joint_enlarge(const Plane3& in, const Guides& guides, const Guides& large, const Jobs& jobs, Plane3& out) {
+void joint_enlarge(const Plane3& in, const Guides& guides, const Guides& large, const Jobs& jobs,
+                   Plane3& out) {
     EXPECTS(in.width() >= 1 && in.height() >= 1);
     EXPECTS(guides.width() == in.width() && guides.height() == in.height());
     EXPECTS(large.width() >= in.width() && large.height() >= in.height());

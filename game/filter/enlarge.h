@@ -23,6 +23,7 @@ namespace gh::filter {
 void enlarge(const Plane3& in, const Jobs& jobs, Plane3& out);
 
 // `guides` are those of `in`, `large` those `out` is to have; `out` is made to fit.
-void joint_enlarge(const Plane3& in, const Guides& guides, const Guides& large, const Jobs& jobs, Plane3& out);
+void joint_enlarge(const Plane3& in, const Guides& guides, const Guides& large, const Jobs& jobs,
+                   Plane3& out);
 
 }  // namespace gh::filter

@@ -35,7 +35,7 @@ struct JointRow {
     float below;            // share of the lower row
     const float* offset_y;  // two: rows of the large picture from this one to each small one's centre
     const std::int32_t* first;
-    const float* right;      // share of the right column
+    const float* right;        // share of the right column
     const float* offset_x[2];  // columns of the large picture to each small one's centre
     int width;
     float* out[3];

@@ -46,7 +46,8 @@ static void down_row(const DownRow& row) {
             }
         }
         const Lanes any = hn::Gt(sums[3], hn::Zero(F()));
-        for (std::size_t i = 0; i < 3; ++i) store(zero_unless(any, hn::Div(sums[i], sums[3])), row.out[i] + x);
+        for (std::size_t i = 0; i < 3; ++i)
+            store(zero_unless(any, hn::Div(sums[i], sums[3])), row.out[i] + x);
     }
 }
 

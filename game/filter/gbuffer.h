@@ -39,13 +39,15 @@ struct GBuffer {
 
     PlaneU32 part;    // which thing: any number that stays its own from frame to frame; kNoSurface: sky
     Plane3 position;  // of the point that was shaded, at its own (jittered) place in the pixel
-    Plane3 previous;  // where that point of that thing was in the frame before. Empty: nothing moves but the camera
-    Plane3 normal;    // unit, smooth (interpolated), towards the eye; without the normal map
+    Plane3
+        previous;  // where that point of that thing was in the frame before. Empty: nothing moves but the camera
+    Plane3 normal;     // unit, smooth (interpolated), towards the eye; without the normal map
     Plane3 geometric;  // unit, of the triangle itself, towards the eye. Empty: `normal` does
     Plane3 albedo;     // what direct and indirect light were multiplied by. Empty: 1, light comes demodulated
     Plane roughness;   // glTF's, 0 ... 1. Empty: 1
-    Plane reflected;   // metres from `position` to what `specular` shows; 0: not known. Empty: reflections stick to
-                       // their surface
+    Plane
+        reflected;  // metres from `position` to what `specular` shows; 0: not known. Empty: reflections stick to
+                    // their surface
 
     [[nodiscard]] int width() const { return part.width(); }
     [[nodiscard]] int height() const { return part.height(); }

@@ -13,9 +13,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace gh::filter::HWY_NAMESPACE {
 
-constexpr float kDepthTolerance = 0.01f;   // off the plane as a share of the distance: falls to 1/e
-constexpr float kSlantTolerance = 0.1f;    // the same, as a share of what the plane's slant amounts to over the reach
-constexpr float kNormalSharpness = 128.0f; // about the exponent of cos in Schied et al. 2017, equation 4
+constexpr float kDepthTolerance = 0.01f;  // off the plane as a share of the distance: falls to 1/e
+constexpr float kSlantTolerance =
+    0.1f;  // the same, as a share of what the plane's slant amounts to over the reach
+constexpr float kNormalSharpness = 128.0f;  // about the exponent of cos in Schied et al. 2017, equation 4
 
 // The surface of a vector of pixels, readied for asking its neighbours within `reach` pixels.
 struct Surface {
@@ -33,17 +34,19 @@ static HWY_INLINE Surface surface_at(const GuideRows& guides, std::size_t x, flo
     s.nx = hn::Mul(load(guides.normal[0] + x), sharp);
     s.ny = hn::Mul(load(guides.normal[1] + x), sharp);
     s.nz = hn::Mul(load(guides.normal[2] + x), sharp);
-    const Floats slant = hn::Mul(hn::Add(hn::Abs(s.slope_x), hn::Abs(s.slope_y)), splat(kSlantTolerance * reach));
+    const Floats slant =
+        hn::Mul(hn::Add(hn::Abs(s.slope_x), hn::Abs(s.slope_y)), splat(kSlantTolerance * reach));
     const Floats tolerance = hn::Add(hn::Mul(s.nearness, splat(kDepthTolerance)), slant);
     s.scale = hn::Div(splat(0.25f), hn::Add(tolerance, splat(1e-20f)));
     return s;
 }
 
 // The argument of falloff() for the neighbour that begins at `at`, where the surface foretells nearness `foretold`.
-static HWY_INLINE Floats apart(const Surface& s, const GuideRows& guides, std::ptrdiff_t at, Floats foretold) {
+static HWY_INLINE Floats apart(const Surface& s, const GuideRows& guides, std::ptrdiff_t at,
+                               Floats foretold) {
     const Floats off = hn::Mul(hn::Abs(hn::Sub(load(guides.nearness + at), foretold)), s.scale);
-    const Floats cosine =
-        dot(s.nx, s.ny, s.nz, load(guides.normal[0] + at), load(guides.normal[1] + at), load(guides.normal[2] + at));
+    const Floats cosine = dot(s.nx, s.ny, s.nz, load(guides.normal[0] + at), load(guides.normal[1] + at),
+                              load(guides.normal[2] + at));
     return hn::Add(off, hn::Abs(hn::Sub(splat(0.25f * kNormalSharpness), cosine)));
 }
 

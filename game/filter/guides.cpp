@@ -22,15 +22,18 @@ static void guides_row(const GuidesRow& row) {
         const Floats dx = hn::Sub(load(row.position[0] + x), splat(row.eye[0]));
         const Floats dy = hn::Sub(load(row.position[1] + x), splat(row.eye[1]));
         const Floats dz = hn::Sub(load(row.position[2] + x), splat(row.eye[2]));
-        const Floats nx = load(row.geometric[0] + x), ny = load(row.geometric[1] + x), nz = load(row.geometric[2] + x);
+        const Floats nx = load(row.geometric[0] + x), ny = load(row.geometric[1] + x),
+                     nz = load(row.geometric[2] + x);
 
         const Floats direct = hn::Div(one, along(row.ahead, dx, dy, dz));
         const Floats scale = hn::Div(one, dot(nx, ny, nz, dx, dy, dz));
         const Floats slope_x = hn::Mul(along(row.right, nx, ny, nz), scale);
         const Floats slope_y = hn::Mul(along(row.down, nx, ny, nz), scale);
-        const Floats column = hn::Add(hn::ConvertTo(F(), pixel_numbers(static_cast<std::ptrdiff_t>(x))), splat(0.5f));
-        const Floats by_plane = hn::Add(hn::Add(hn::Mul(along(row.corner, nx, ny, nz), scale), hn::Mul(column, slope_x)),
-                                        hn::Mul(splat(row.y), slope_y));
+        const Floats column =
+            hn::Add(hn::ConvertTo(F(), pixel_numbers(static_cast<std::ptrdiff_t>(x))), splat(0.5f));
+        const Floats by_plane =
+            hn::Add(hn::Add(hn::Mul(along(row.corner, nx, ny, nz), scale), hn::Mul(column, slope_x)),
+                    hn::Mul(splat(row.y), slope_y));
         // The point lies within its pixel, so a plane that says much else is seen edge on: it foretells nothing.
         const Floats doubt = hn::Mul(splat(0.5f), direct);
         const Lanes sound = hn::And(hn::Lt(hn::Abs(hn::Sub(by_plane, direct)), doubt),

@@ -19,8 +19,8 @@ namespace gh::filter {
 inline constexpr float kInfiniteLight = 1e30f;
 
 struct MendSettings {
-    float floor = 8.0f;    // luminance; say four times what shows as white
-    float factor = 8.0f;   // times the neighbours' mean
+    float floor = 8.0f;   // luminance; say four times what shows as white
+    float factor = 8.0f;  // times the neighbours' mean
 };
 
 // `out` is made to fit and is not `light`.

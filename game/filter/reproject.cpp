@@ -86,7 +86,8 @@ static HWY_INLINE Then find_place(const ReprojectRow& row, std::size_t x) {
         then = project(row.then, plus(before, image));
     }
     const PicturePoint now = project(row.now, here);
-    const Floats centre = hn::Add(hn::ConvertTo(F(), pixel_numbers(static_cast<std::ptrdiff_t>(x))), splat(0.5f));
+    const Floats centre =
+        hn::Add(hn::ConvertTo(F(), pixel_numbers(static_cast<std::ptrdiff_t>(x))), splat(0.5f));
     const Floats scale_x = splat(row.scale_x), scale_y = splat(row.scale_y), half = splat(0.5f);
     const Floats moved_x = hn::Sub(then.x, hn::Mul(now.x, scale_x));
     const Floats moved_y = hn::Sub(then.y, hn::Mul(now.y, scale_y));
@@ -103,7 +104,8 @@ struct Wanted {
     Floats right, below;  // the surface's point seen from the first tap, in pixels
 };
 
-static HWY_INLINE Lanes same_surface(const ReprojectRow& row, const TapPlace& place, int tap, const Wanted& wanted) {
+static HWY_INLINE Lanes same_surface(const ReprojectRow& row, const TapPlace& place, int tap,
+                                     const Wanted& wanted) {
     const std::ptrdiff_t step = (tap / 2) * row.then_stride + tap % 2;
     const GuideRows& guides = row.then_guides;
     const Floats dx = hn::Sub(wanted.right, splat(static_cast<float>(tap % 2)));
@@ -111,8 +113,9 @@ static HWY_INLINE Lanes same_surface(const ReprojectRow& row, const TapPlace& pl
     const Floats foretold = hn::Add(read_tap(guides.nearness, place, step),
                                     hn::Add(hn::Mul(read_tap(guides.slope_x, place, step), dx),
                                             hn::Mul(read_tap(guides.slope_y, place, step), dy)));
-    const Floats cosine = dot(read_tap(guides.normal[0], place, step), read_tap(guides.normal[1], place, step),
-                              read_tap(guides.normal[2], place, step), wanted.normal.x, wanted.normal.y, wanted.normal.z);
+    const Floats cosine =
+        dot(read_tap(guides.normal[0], place, step), read_tap(guides.normal[1], place, step),
+            read_tap(guides.normal[2], place, step), wanted.normal.x, wanted.normal.y, wanted.normal.z);
     const Lanes same_part = hn::RebindMask(F(), hn::Eq(read_tap(row.then_part, place, step), wanted.part));
     const Lanes same_plane = hn::Le(hn::Abs(hn::Sub(foretold, wanted.nearness)), wanted.tolerance);
     return hn::And(same_part, hn::And(same_plane, hn::Ge(cosine, splat(kNormalTolerance))));
@@ -129,8 +132,9 @@ static void weigh_taps(const ReprojectRow& row, std::size_t x, const Then& then)
     const Lanes is_surface = hn::Gt(load(row.nearness + x), zero);
     const Lanes usable = hn::And(hn::And(in_picture, is_surface), hn::Gt(then.surface.nearness, zero));
     const Floats column = zero_unless(usable, left), line = zero_unless(usable, top);
-    const Ints first = hn::Add(hn::Mul(hn::ConvertTo(I(), line), hn::Set(I(), static_cast<std::int32_t>(row.then_stride))),
-                               hn::ConvertTo(I(), column));
+    const Ints first =
+        hn::Add(hn::Mul(hn::ConvertTo(I(), line), hn::Set(I(), static_cast<std::int32_t>(row.then_stride))),
+                hn::ConvertTo(I(), column));
     if (hn::AllFalse(F(), usable)) {
         for (float* weight : row.weight) store(zero, weight + x);
         hn::StoreU(hn::Zero(I()), I(), row.first + x);
@@ -155,8 +159,10 @@ static void weigh_taps(const ReprojectRow& row, std::size_t x, const Then& then)
     Floats sum = zero;
     for (int tap = 0; tap < 4; ++tap) {
         const Lanes in = hn::And(usable, hn::And(column_in[tap % 2], line_in[tap / 2]));
-        weight[tap] = zero_unless(hn::And(in, same_surface(row, place, tap, wanted)),
-                                  hn::Mul(across[tap % 2], down[tap / 2]));
+        weight[tap] = zero_unless(in, hn::Mul(across[tap % 2], down[tap / 2]));
+        // In a picture that stands still one tap in four is asked.
+        if (hn::AllTrue(F(), hn::Eq(weight[tap], zero))) continue;
+        weight[tap] = zero_unless(same_surface(row, place, tap, wanted), weight[tap]);
         sum = hn::Add(sum, weight[tap]);
     }
     const Floats share = zero_unless(hn::Ge(sum, splat(kLeastWeight)), hn::Div(one, sum));
@@ -202,8 +208,8 @@ void Taps::fit(int width, int height) {
     for (Plane& plane : weight) plane.fit(width, height);
 }
 
-void reproject(const GBuffer& now, const Guides& guides, const SeenSurfaces& seen, Motion motion, const Jobs& jobs,
-               Taps& taps) {
+void reproject(const GBuffer& now, const Guides& guides, const SeenSurfaces& seen, Motion motion,
+               const Jobs& jobs, Taps& taps) {
     const int width = now.width(), height = now.height();
     EXPECTS(guides.width() == width && guides.height() == height);
     if (seen.part.empty()) {

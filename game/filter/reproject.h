@@ -42,13 +42,13 @@ struct Taps {
 };
 
 enum class Motion {
-    OfSurface,     // light that sticks to its surface
+    OfSurface,  // light that sticks to its surface
     OfReflection,  // light seen in it: follows the virtual image at the reflected distance, the more the smoother the
                    // surface (dominant direction of Lagarde and de Rousiers 2014, listing 24)
 };
 
 // `guides` are those of `now`. `taps` is made to fit. With nothing seen every weight is 0.
-void reproject(const GBuffer& now, const Guides& guides, const SeenSurfaces& seen, Motion motion, const Jobs& jobs,
-               Taps& taps);
+void reproject(const GBuffer& now, const Guides& guides, const SeenSurfaces& seen, Motion motion,
+               const Jobs& jobs, Taps& taps);
 
 }  // namespace gh::filter

@@ -27,21 +27,38 @@ using Floats = hn::Vec<F>;
 using Ints = hn::Vec<I>;
 using Lanes = hn::Mask<F>;
 
-static HWY_INLINE Floats splat(float x) { return hn::Set(F(), x); }
-static HWY_INLINE Floats load(const float* from) { return hn::LoadU(F(), from); }
-static HWY_INLINE void store(Floats v, float* to) { hn::StoreU(v, F(), to); }
-static HWY_INLINE std::size_t lane_count() { return hn::Lanes(F()); }
+static HWY_INLINE Floats splat(float x) {
+    return hn::Set(F(), x);
+}
+static HWY_INLINE Floats load(const float* from) {
+    return hn::LoadU(F(), from);
+}
+static HWY_INLINE void store(Floats v, float* to) {
+    hn::StoreU(v, F(), to);
+}
+static HWY_INLINE std::size_t lane_count() {
+    return hn::Lanes(F());
+}
 
-static HWY_INLINE Floats zero_unless(Lanes lanes, Floats v) { return hn::IfThenElseZero(lanes, v); }
-static HWY_INLINE Floats choose(Lanes lanes, Floats yes, Floats no) { return hn::IfThenElse(lanes, yes, no); }
+static HWY_INLINE Floats zero_unless(Lanes lanes, Floats v) {
+    return hn::IfThenElseZero(lanes, v);
+}
+static HWY_INLINE Floats choose(Lanes lanes, Floats yes, Floats no) {
+    return hn::IfThenElse(lanes, yes, no);
+}
 
 // NaN becomes 0, like everything not above it.
-static HWY_INLINE Floats positive(Floats v) { return zero_unless(hn::Gt(v, hn::Zero(F())), v); }
-static HWY_INLINE Lanes is_finite(Floats v) { return hn::Le(hn::Abs(v), splat(3.402823466e38f)); }
+static HWY_INLINE Floats positive(Floats v) {
+    return zero_unless(hn::Gt(v, hn::Zero(F())), v);
+}
+static HWY_INLINE Lanes is_finite(Floats v) {
+    return hn::Le(hn::Abs(v), splat(3.402823466e38f));
+}
 
 // ITU-R BT.709.
 static HWY_INLINE Floats luminance(Floats r, Floats g, Floats b) {
-    return hn::Add(hn::Add(hn::Mul(splat(0.2126f), r), hn::Mul(splat(0.7152f), g)), hn::Mul(splat(0.0722f), b));
+    return hn::Add(hn::Add(hn::Mul(splat(0.2126f), r), hn::Mul(splat(0.7152f), g)),
+                   hn::Mul(splat(0.0722f), b));
 }
 
 static HWY_INLINE Floats dot(Floats ax, Floats ay, Floats az, Floats bx, Floats by, Floats bz) {
@@ -56,7 +73,9 @@ static HWY_INLINE Floats falloff(Floats quarter) {
 }
 
 // The pixel numbers of a vector that starts at pixel x.
-static HWY_INLINE Ints pixel_numbers(std::ptrdiff_t x) { return hn::Iota(I(), static_cast<std::int32_t>(x)); }
+static HWY_INLINE Ints pixel_numbers(std::ptrdiff_t x) {
+    return hn::Iota(I(), static_cast<std::int32_t>(x));
+}
 
 // Which of these pixels lie in [0, count).
 static HWY_INLINE Lanes inside(Ints pixel, int count) {

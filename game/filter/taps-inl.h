@@ -34,12 +34,14 @@ static HWY_INLINE TapPlace place_of(Ints first, Lanes matter) {
 }
 
 static HWY_INLINE Floats read_tap(const float* plane, const TapPlace& place, std::ptrdiff_t step) {
-    return place.side_by_side ? load(plane + place.start + step) : hn::GatherIndex(F(), plane + step, place.first);
+    return place.side_by_side ? load(plane + place.start + step)
+                              : hn::GatherIndex(F(), plane + step, place.first);
 }
 
 static HWY_INLINE Ints read_tap(const std::uint32_t* plane, const TapPlace& place, std::ptrdiff_t step) {
     const auto* numbers = reinterpret_cast<const std::int32_t*>(plane) + step;
-    return place.side_by_side ? hn::LoadU(I(), numbers + place.start) : hn::GatherIndex(I(), numbers, place.first);
+    return place.side_by_side ? hn::LoadU(I(), numbers + place.start)
+                              : hn::GatherIndex(I(), numbers, place.first);
 }
 
 }  // namespace gh::filter::HWY_NAMESPACE

@@ -50,8 +50,9 @@ static HWY_INLINE Floats toward(Floats from, Floats to, Floats share) {
     return hn::Add(from, hn::Mul(hn::Sub(to, from), share));
 }
 
-static HWY_INLINE Floats at_least(Floats a, Floats b) { return choose(hn::Gt(a, b), a, b); }
-static HWY_INLINE Floats at_most(Floats a, Floats b) { return choose(hn::Lt(a, b), a, b); }
+static HWY_INLINE Floats at_most(Floats a, Floats b) {
+    return choose(hn::Lt(a, b), a, b);
+}
 
 // Share of the new sample in a mean of at most `longest`, of which `change` is to be forgotten.
 static HWY_INLINE Floats new_share(Floats length, Floats change, float longest) {

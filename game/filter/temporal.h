@@ -24,10 +24,10 @@ struct TemporalSettings {
 
 // A signal with all that was learnt of it over the frames.
 struct Accumulated {
-    Luma3 light;    // mean
-    Plane square;   // mean square of the samples' luminance
-    Plane length;   // samples in the mean; 0: none yet. Not whole where taps differ
-    Plane fast;     // luminance of the fast mean
+    Luma3 light;   // mean
+    Plane square;  // mean square of the samples' luminance
+    Plane length;  // samples in the mean; 0: none yet. Not whole where taps differ
+    Plane fast;    // luminance of the fast mean
 
     void fit(int width, int height);
 };

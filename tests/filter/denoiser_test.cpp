@@ -40,7 +40,8 @@ Plane3 walk(const Jobs& jobs) {
         room.ball.x -= 0.07f;
         room.eye.z -= 0.03f;
         room.yaw += 0.01f;
-        const test::Frame frame = test::render(room, kWidth - 3, kHeight, i);  // not a whole number of vectors
+        const test::Frame frame =
+            test::render(room, kWidth - 3, kHeight, i);  // not a whole number of vectors
         denoiser.denoise(frame.surfaces, frame.noisy, {}, jobs, out);
     }
     return out;
@@ -101,7 +102,8 @@ TEST(Denoiser, ConstantLightOnATextureComesOutAsItWentIn) {
         for (int y = 0; y < kHeight; ++y) {
             for (int x = 0; x < kWidth; ++x) {
                 const glm::vec3 off = glm::abs(out.get(x, y) - wanted.get(x, y));
-                ASSERT_LT(std::max({off.x, off.y, off.z}), 1e-5f * (0.1f + wanted.get(x, y).x)) << x << ' ' << y;
+                ASSERT_LT(std::max({off.x, off.y, off.z}), 1e-5f * (0.1f + wanted.get(x, y).x))
+                    << x << ' ' << y;
             }
         }
     }
@@ -157,7 +159,8 @@ TEST(Denoiser, WhatIsNotANumberIsMendedAndReachesNobody) {
         }
     }
     // The mended pixel looks like the room, though none of its own samples ever counted.
-    EXPECT_NEAR(out.luminance_at(40, 40), clean.luminance_at(40, 40), 0.25f * clean.luminance_at(40, 40) + 0.01f);
+    EXPECT_NEAR(out.luminance_at(40, 40), clean.luminance_at(40, 40),
+                0.25f * clean.luminance_at(40, 40) + 0.01f);
     EXPECT_EQ(out.get(5, 5), clean.get(5, 5)) << "far away nothing changed";
 }
 
@@ -231,8 +234,10 @@ TEST(Denoiser, AMovingBallLeavesNoGhost) {
     int count = 0;
     for (int y = 0; y < kHeight; ++y) {
         for (int x = 0; x < kWidth; ++x) {
-            if (past.surfaces.part.at(x, y) != test::kBall || frame.surfaces.part.at(x, y) == test::kBall) continue;
-            ghost += static_cast<double>(out.luminance_at(x, y)) - static_cast<double>(truth.luminance_at(x, y));
+            if (past.surfaces.part.at(x, y) != test::kBall || frame.surfaces.part.at(x, y) == test::kBall)
+                continue;
+            ghost +=
+                static_cast<double>(out.luminance_at(x, y)) - static_cast<double>(truth.luminance_at(x, y));
             bright_ghost += static_cast<double>(test::total(past.truth).luminance_at(x, y)) -
                             static_cast<double>(truth.luminance_at(x, y));
             wanted += static_cast<double>(truth.luminance_at(x, y));

@@ -19,8 +19,8 @@ struct Pair {
     filter::Taps taps;
 };
 
-Pair reprojected(const test::Room& before, const test::Room& after, filter::Motion motion, int then_width = kWidth,
-                 int then_height = kHeight) {
+Pair reprojected(const test::Room& before, const test::Room& after, filter::Motion motion,
+                 int then_width = kWidth, int then_height = kHeight) {
     const Jobs jobs(1);
     Pair pair{test::render(before, then_width, then_height, 1), test::render(after, kWidth, kHeight, 2), {}};
     filter::SeenSurfaces seen{pair.then.surfaces.lens, {}, pair.then.surfaces.part};
@@ -32,7 +32,8 @@ Pair reprojected(const test::Room& before, const test::Room& after, filter::Moti
 }
 
 float weight_of(const filter::Taps& taps, int x, int y) {
-    return (taps.weight[0].at(x, y) + taps.weight[1].at(x, y)) + (taps.weight[2].at(x, y) + taps.weight[3].at(x, y));
+    return (taps.weight[0].at(x, y) + taps.weight[1].at(x, y)) +
+           (taps.weight[2].at(x, y) + taps.weight[3].at(x, y));
 }
 
 // The place the four taps stand for, if all four count.
@@ -42,7 +43,8 @@ glm::vec2 place_of(const Pair& pair, int x, int y) {
     const int first = taps.first.at(x, y);
     const float right = taps.weight[1].at(x, y) + taps.weight[3].at(x, y);
     const float below = taps.weight[2].at(x, y) + taps.weight[3].at(x, y);
-    return {static_cast<float>(first % stride) + right + 0.5f, static_cast<float>(first / stride) + below + 0.5f};
+    return {static_cast<float>(first % stride) + right + 0.5f,
+            static_cast<float>(first / stride) + below + 0.5f};
 }
 
 // Picture point of p by the lens' own definition, in double precision.
@@ -63,7 +65,8 @@ TEST(Reproject, WithNothingMovingEveryPixelIsItselfWhateverTheJitter) {
                 EXPECT_EQ(weight_of(pair.taps, x, y), 0.0f);
                 continue;
             }
-            if (pair.now.surfaces.part.at(x, y) != pair.then.surfaces.part.at(x, y)) continue;  // jitter over an edge
+            if (pair.now.surfaces.part.at(x, y) != pair.then.surfaces.part.at(x, y))
+                continue;  // jitter over an edge
             torn += pair.taps.weight[0].at(x, y) != 1.0f || pair.taps.first.at(x, y) != y * stride + x;
         }
     }
@@ -85,8 +88,8 @@ TEST(Reproject, FollowsTheCamera) {
                 continue;
             }
             const glm::vec3 p = pair.now.surfaces.position.get(x, y);
-            const glm::vec2 jitter = seen_at(pair.now.surfaces.lens, p) - glm::vec2(static_cast<float>(x) + 0.5f,
-                                                                                  static_cast<float>(y) + 0.5f);
+            const glm::vec2 jitter = seen_at(pair.now.surfaces.lens, p) -
+                                     glm::vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
             const glm::vec2 wanted = seen_at(pair.then.surfaces.lens, p) - jitter;
             const glm::vec2 off = place_of(pair, x, y) - wanted;
             EXPECT_LT(std::max(std::abs(off.x), std::abs(off.y)), 1.0f / 256.0f) << x << ' ' << y;
@@ -106,7 +109,8 @@ TEST(Reproject, FollowsAThingThatMovesAndKnowsWhatItUncovered) {
     for (int y = 0; y < kHeight; ++y) {
         for (int x = 0; x < kWidth; ++x) {
             const bool known = weight_of(pair.taps, x, y) > 0.0f;
-            const std::uint32_t now = pair.now.surfaces.part.at(x, y), then = pair.then.surfaces.part.at(x, y);
+            const std::uint32_t now = pair.now.surfaces.part.at(x, y),
+                                then = pair.then.surfaces.part.at(x, y);
             if (now == test::kBall) {
                 ++ball;
                 followed += known;
@@ -159,14 +163,16 @@ TEST(Reproject, LightInAMirrorFollowsItsVirtualImage) {
         for (int x = 0; x < kWidth; ++x) {
             const float least = std::min({pair.taps.weight[0].at(x, y), pair.taps.weight[1].at(x, y),
                                           pair.taps.weight[2].at(x, y), pair.taps.weight[3].at(x, y)});
-            if (now.part.at(x, y) != test::kFloor || now.reflected.at(x, y) > 100.0f || least == 0.0f) continue;
+            if (now.part.at(x, y) != test::kFloor || now.reflected.at(x, y) > 100.0f || least == 0.0f)
+                continue;
             // Mirror image of what is met: the point met, reflected in y = 0.
             const glm::vec3 p = now.position.get(x, y);
             const glm::vec3 d = glm::normalize(p - now.lens.eye);
             const glm::vec3 met = p + glm::vec3(d.x, -d.y, d.z) * now.reflected.at(x, y);
             const glm::vec3 image(met.x, -met.y, met.z);
             const glm::vec2 centre(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-            const glm::vec2 wanted = seen_at(pair.then.surfaces.lens, image) - seen_at(now.lens, image) + centre;
+            const glm::vec2 wanted =
+                seen_at(pair.then.surfaces.lens, image) - seen_at(now.lens, image) + centre;
             const glm::vec2 off = place_of(pair, x, y) - wanted;
             EXPECT_LT(std::max(std::abs(off.x), std::abs(off.y)), 1.0f / 256.0f) << x << ' ' << y;
             const glm::vec2 by_surface = seen_at(pair.then.surfaces.lens, p) - seen_at(now.lens, p) + centre;

@@ -1,4 +1,5 @@
 // Each stage by itself: what it promises in its header, on inputs whose answer is known.
+#include "base/random.h"
 #include "filter/albedo.h"
 #include "filter/anti_lag.h"
 #include "filter/atrous.h"
@@ -9,8 +10,6 @@
 #include "filter/synthetic.h"
 #include "filter/temporal.h"
 #include "filter/variance.h"
-
-#include "base/random.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -62,7 +61,10 @@ filter::GBuffer stepped_wall(int width, int height) {
     surfaces.fit(width, height);
     const float pixel = 1.0f / static_cast<float>(height);
     const float left = -0.5f * static_cast<float>(width) * pixel;
-    surfaces.lens = {.eye = glm::vec3(0.0f), .corner = {left, 0.5f, -1.0f}, .right = {pixel, 0, 0}, .down = {0, -pixel, 0}};
+    surfaces.lens = {.eye = glm::vec3(0.0f),
+                     .corner = {left, 0.5f, -1.0f},
+                     .right = {pixel, 0, 0},
+                     .down = {0, -pixel, 0}};
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             const glm::vec3 d = surfaces.lens.corner + surfaces.lens.right * (static_cast<float>(x) + 0.5f) +
@@ -87,7 +89,8 @@ TEST(Guides, AFloorForetellsTheNearnessOfItsNeighboursAtAnySlant) {
     int seen = 0;
     for (int y = 0; y + 1 < kHeight; ++y) {
         for (int x = 0; x + 1 < kWidth; ++x) {
-            if (frame.surfaces.part.at(x, y) != test::kFloor || frame.surfaces.part.at(x + 1, y) != test::kFloor ||
+            if (frame.surfaces.part.at(x, y) != test::kFloor ||
+                frame.surfaces.part.at(x + 1, y) != test::kFloor ||
                 frame.surfaces.part.at(x, y + 1) != test::kFloor) {
                 continue;
             }
@@ -146,11 +149,13 @@ TEST(Blurs, AllBeatNoFilterAndThoseThatSeeTheEdgeBeatTheGaussian) {
     const double bilateral = test::rel_mse(out, truth);
     filter::cross_bilateral(noisy, guides, {}, {.sigma_px = 2.0f, .luminance = 0.0f}, jobs, out);
     const double by_guides = test::rel_mse(out, truth);
-    filter::cross_bilateral(noisy, guides, truth, {.sigma_px = 2.0f, .luminance = 0.0f, .albedo = 0.3f}, jobs, out);
+    filter::cross_bilateral(noisy, guides, truth, {.sigma_px = 2.0f, .luminance = 0.0f, .albedo = 0.3f}, jobs,
+                            out);
     const double by_albedo = test::rel_mse(out, truth);
     filter::Signal signal, scratch[2];
     filter::make_signal(noisy, Plane(kWidth, kHeight, 0.05f), jobs, signal);
-    filter::colour_from(filter::atrous(guides, view_of(signal), {.levels = 3}, jobs, scratch).light, jobs, out);
+    filter::colour_from(filter::atrous(guides, view_of(signal), {.levels = 3}, jobs, scratch).light, jobs,
+                        out);
     const double atrous = test::rel_mse(out, truth);
     EXPECT_LT(gaussian, 0.5 * none);
     EXPECT_LT(bilateral, 0.3 * none);
@@ -167,14 +172,17 @@ TEST(Blurs, NothingCrossesAStepInDepth) {
     const filter::Guides guides = guides_of(surfaces);
     Plane3 in(kWidth, kHeight);
     for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) in.set(x, y, x < kWidth / 2 ? glm::vec3(1.0f) : glm::vec3(0.0f, 0.0f, 64.0f));
+        for (int x = 0; x < kWidth; ++x)
+            in.set(x, y, x < kWidth / 2 ? glm::vec3(1.0f) : glm::vec3(0.0f, 0.0f, 64.0f));
     }
     Plane3 out;
     filter::cross_bilateral(in, guides, {}, {.sigma_px = 3.0f, .luminance = 0.0f}, jobs, out);
     EXPECT_LT(largest_difference(out, in), 1e-4f);
     filter::Signal signal, scratch[2];
-    filter::make_signal(in, Plane(kWidth, kHeight, 1e6f), jobs, signal);  // any light may mix, for all it knows
-    filter::colour_from(filter::atrous(guides, view_of(signal), {.levels = 5}, jobs, scratch).light, jobs, out);
+    filter::make_signal(in, Plane(kWidth, kHeight, 1e6f), jobs,
+                        signal);  // any light may mix, for all it knows
+    filter::colour_from(filter::atrous(guides, view_of(signal), {.levels = 5}, jobs, scratch).light, jobs,
+                        out);
     EXPECT_LT(largest_difference(out, in), 1e-4f);
 }
 
@@ -245,8 +253,8 @@ TEST(Temporal, StaticNoiseFallsAsOneOverTheNumberOfFramesUntilTheCap) {
     double variance_at_1 = 0.0;
     for (int n = 1; n <= 64; ++n) {
         std::swap(mean, before);
-        filter::accumulate(noise(kWidth, kHeight, static_cast<std::uint64_t>(n)), {}, taps, before, {.longest = 16.0f},
-                           jobs, mean);
+        filter::accumulate(noise(kWidth, kHeight, static_cast<std::uint64_t>(n)), {}, taps, before,
+                           {.longest = 16.0f}, jobs, mean);
         double sum = 0.0, squares = 0.0;
         for (int y = 0; y < kHeight; ++y) {
             for (int x = 0; x < kWidth; ++x) {
@@ -281,7 +289,8 @@ TEST(Temporal, TheVarianceItFindsIsThatOfTheMeanWhetherFromTimeOrFromSpace) {
     filter::Accumulated mean, before;
     for (int n = 1; n <= 16; ++n) {
         std::swap(mean, before);
-        filter::accumulate(noise(kWidth, kHeight, static_cast<std::uint64_t>(n)), {}, taps, before, {}, jobs, mean);
+        filter::accumulate(noise(kWidth, kHeight, static_cast<std::uint64_t>(n)), {}, taps, before, {}, jobs,
+                           mean);
         Plane variance;
         filter::estimate_variance(mean, guides, jobs, variance);
         // Nine pixels underestimate by the ninth that their own mean takes.
@@ -297,7 +306,7 @@ TEST(Temporal, TheVarianceItFindsIsThatOfTheMeanWhetherFromTimeOrFromSpace) {
 TEST(AntiLag, ChangeIsTheShareOfTheLightThatIsNew) {
     const Jobs jobs(1);
     Plane now(8, 1), then(8, 1), change;
-    const float pairs[8][3] = {{0, 0, 0},      {1, 1, 0},    {0, 5, 1},    {5, 0, 1},
+    const float pairs[8][3] = {{0, 0, 0},     {1, 1, 0},     {0, 5, 1},    {5, 0, 1},
                                {1, 4, 0.75f}, {4, 1, 0.75f}, {kNan, 1, 0}, {kInf, 1, 0}};
     for (int x = 0; x < 8; ++x) {
         now.at(x, 0) = pairs[x][0];
@@ -314,7 +323,7 @@ TEST(AntiLag, GradientsFindALampThatWentOutAndNoChangeInNoise) {
     for (int y = 0; y < 20; ++y) {
         for (int x = 0; x < 30; ++x) {
             const float light = random.unit();
-            samples.then.at(x, y) = light;               // the same sample, shaded twice
+            samples.then.at(x, y) = light;  // the same sample, shaded twice
             samples.now.at(x, y) = x < 15 ? light : 0.0f;
         }
     }
@@ -335,7 +344,8 @@ TEST(AntiLag, SettlingLeavesSteadyNoiseAloneAndPullsAStaleMeanDown) {
     Plane sums[2];
     for (int n = 1; n <= 32; ++n) {
         std::swap(mean, before);
-        filter::accumulate(noise(kWidth, kHeight, static_cast<std::uint64_t>(n)), {}, taps, before, {}, jobs, mean);
+        filter::accumulate(noise(kWidth, kHeight, static_cast<std::uint64_t>(n)), {}, taps, before, {}, jobs,
+                           mean);
         filter::settle({}, jobs, mean, sums);
     }
     EXPECT_NEAR(mean_of(mean.light.y), 0.5, 0.005);
@@ -351,7 +361,8 @@ TEST(AntiLag, SettlingLeavesSteadyNoiseAloneAndPullsAStaleMeanDown) {
 
 TEST(Enlarge, KeepsAConstantAtEveryRatioAndOvershootsNowhere) {
     const Jobs jobs(2);
-    for (const auto& [width, height] : {std::pair(26, 14), std::pair(13, 7), std::pair(100, 31), std::pair(17, 8)}) {
+    for (const auto& [width, height] :
+         {std::pair(26, 14), std::pair(13, 7), std::pair(100, 31), std::pair(17, 8)}) {
         Plane3 out(width, height);
         filter::enlarge(Plane3(13, 7, {0.25f, 1.5f, 30.0f}), jobs, out);
         EXPECT_LT(largest_difference(out, Plane3(width, height, {0.25f, 1.5f, 30.0f})), 1e-4f);
@@ -394,7 +405,8 @@ TEST(Enlarge, WithTheLargeSurfacesKnownAnEdgeIsAsSharpAsTheyAre) {
         for (int x = 0; x < width; ++x) in.set(x, y, glm::vec3(small.part.at(x, y) == 1 ? 1.0f : 0.0f));
     }
     for (int y = 0; y < 2 * height; ++y) {
-        for (int x = 0; x < 2 * width; ++x) wanted.set(x, y, glm::vec3(large.part.at(x, y) == 1 ? 1.0f : 0.0f));
+        for (int x = 0; x < 2 * width; ++x)
+            wanted.set(x, y, glm::vec3(large.part.at(x, y) == 1 ? 1.0f : 0.0f));
     }
     Plane3 joint, plain(2 * width, 2 * height);
     filter::joint_enlarge(in, small_guides, large_guides, jobs, joint);

@@ -21,7 +21,8 @@ struct Hit {
     glm::vec3 point{0.0f}, normal{0.0f};
 };
 
-void meet_plane(const glm::vec3& o, const glm::vec3& d, const glm::vec3& n, float offset, std::uint32_t part, Hit& hit) {
+void meet_plane(const glm::vec3& o, const glm::vec3& d, const glm::vec3& n, float offset, std::uint32_t part,
+                Hit& hit) {
     const float toward = glm::dot(n, d);
     if (toward >= 0.0f) return;
     const float t = (offset - glm::dot(n, o)) / toward;
@@ -49,7 +50,8 @@ Hit meet(const Room& room, const glm::vec3& o, const glm::vec3& d) {
 
 glm::vec3 albedo_at(const Hit& hit) {
     const auto cell = [](float v) { return static_cast<int>(std::floor(v * 2.0f)); };
-    if (hit.part == kFloor) return glm::vec3(((cell(hit.point.x) + cell(hit.point.z)) & 1) != 0 ? 0.7f : 0.15f);
+    if (hit.part == kFloor)
+        return glm::vec3(((cell(hit.point.x) + cell(hit.point.z)) & 1) != 0 ? 0.7f : 0.15f);
     if (hit.part == kLeftWall) return {0.7f, 0.2f, 0.15f};
     if (hit.part == kRightWall) return {0.2f, 0.3f, 0.7f};
     if (hit.part == kBall) return {0.6f, 0.55f, 0.2f};
@@ -133,10 +135,11 @@ filter::Pinhole lens_of(const Room& room, int width, int height) {
     const glm::vec3 right(std::cos(room.yaw), 0.0f, -std::sin(room.yaw));
     const glm::vec3 ahead(-std::sin(room.yaw), 0.0f, -std::cos(room.yaw));
     const float pixel = 1.2f / static_cast<float>(height);
-    return {.eye = room.eye,
-            .corner = ahead - right * (0.5f * pixel * static_cast<float>(width)) + glm::vec3(0.0f, 0.6f, 0.0f),
-            .right = right * pixel,
-            .down = {0.0f, -pixel, 0.0f}};
+    return {
+        .eye = room.eye,
+        .corner = ahead - right * (0.5f * pixel * static_cast<float>(width)) + glm::vec3(0.0f, 0.6f, 0.0f),
+        .right = right * pixel,
+        .down = {0.0f, -pixel, 0.0f}};
 }
 
 Frame render(const Room& room, int width, int height, std::uint32_t seed, bool jitters) {
@@ -167,8 +170,9 @@ filter::Plane3 total(const filter::Light& light) {
     filter::Plane3 sum(light.direct.width(), light.direct.height());
     for (int y = 0; y < sum.height(); ++y) {
         for (int x = 0; x < sum.width(); ++x) {
-            sum.set(x, y, light.direct.get(x, y) + light.indirect.get(x, y) + light.specular.get(x, y) +
-                              light.clean.get(x, y));
+            sum.set(x, y,
+                    light.direct.get(x, y) + light.indirect.get(x, y) + light.specular.get(x, y) +
+                        light.clean.get(x, y));
         }
     }
     return sum;

@@ -1,11 +1,12 @@
 // filter_bench - core-milliseconds of every filter at a picture's size, on one core, and how much error it leaves.
 //
-//   filter_bench --size 640x360 --window 1280x720 --rounds 15
+//   filter_bench --width 640 --height 360 --rounds 15
 //
 // The scene is the tests' synthetic room with one sample a pixel, so that the truth is known.
 #include "figures.h"
 #include "filter/albedo.h"
 #include "filter/denoiser.h"
+#include "filter/enlarge.h"
 #include "filter/isa.h"
 #include "filter/synthetic.h"
 #include "filter/variance.h"
@@ -32,8 +33,10 @@ Options read_options(int argc, char** argv) {
     CLI::App app("What filters cost, and what they leave of the noise.");
     app.add_option("--width", options.width, "of the rendered picture")->check(CLI::Range(16, 8192));
     app.add_option("--height", options.height, "of the rendered picture")->check(CLI::Range(16, 8192));
-    app.add_option("--window-width", options.window_width, "of the upscaled picture")->check(CLI::Range(16, 8192));
-    app.add_option("--window-height", options.window_height, "of the upscaled picture")->check(CLI::Range(16, 8192));
+    app.add_option("--window-width", options.window_width, "of the upscaled picture")
+        ->check(CLI::Range(16, 8192));
+    app.add_option("--window-height", options.window_height, "of the upscaled picture")
+        ->check(CLI::Range(16, 8192));
     app.add_option("--rounds", options.rounds, "samples; medians are over them")->check(CLI::Range(3, 1000));
     app.add_option("--isa", options.isa, "one of those listed at the start");
     try {
@@ -80,46 +83,74 @@ struct Bench {
 void bench_stages(const Bench& b) {
     const gh::test::Frame &last = b.frames[10], &now = b.frames[11];
     filter::Plane3 mended, demodulated;
-    b.row("mend", [&](int) { filter::mend(now.noisy.indirect, {}, b.jobs, mended); }, mended.x);
-    b.row("demodulate", [&](int) { filter::demodulate(mended, now.surfaces.albedo, b.jobs, demodulated); },
-          demodulated.x);
+    b.row(
+        "mend", [&](int) { filter::mend(now.noisy.indirect, {}, b.jobs, mended); }, mended.x);
+    b.row(
+        "demodulate", [&](int) { filter::demodulate(mended, now.surfaces.albedo, b.jobs, demodulated); },
+        demodulated.x);
     filter::Guides guides;
-    b.row("guides", [&](int) { filter::make_guides(now.surfaces, b.jobs, guides); }, guides.slope_x);
+    b.row(
+        "guides", [&](int) { filter::make_guides(now.surfaces, b.jobs, guides); }, guides.slope_x);
     filter::SeenSurfaces seen{last.surfaces.lens, {}, last.surfaces.part};
     filter::make_guides(last.surfaces, b.jobs, seen.guides);
     filter::Taps taps;
     const auto reproject = [&](filter::Motion motion) {
         filter::reproject(now.surfaces, guides, seen, motion, b.jobs, taps);
     };
-    b.row("reproject reflections", [&](int) { reproject(filter::Motion::OfReflection); }, taps.weight[0]);
-    b.row("reproject", [&](int) { reproject(filter::Motion::OfSurface); }, taps.weight[0]);
+    b.row(
+        "reproject reflections", [&](int) { reproject(filter::Motion::OfReflection); }, taps.weight[0]);
+    b.row(
+        "reproject", [&](int) { reproject(filter::Motion::OfSurface); }, taps.weight[0]);
 
     filter::Accumulated before, mean;
     filter::accumulate(last.noisy.indirect, {}, taps, {}, {}, b.jobs, before);
-    b.row("accumulate a signal",
-          [&](int) { filter::accumulate(demodulated, {}, taps, before, {}, b.jobs, mean); }, mean.light.x);
+    b.row(
+        "accumulate a signal",
+        [&](int) { filter::accumulate(demodulated, {}, taps, before, {}, b.jobs, mean); }, mean.light.x);
     filter::Plane sums[2];
-    b.row("settle a signal", [&](int) { filter::settle({}, b.jobs, mean, sums); }, mean.light.x);
+    b.row(
+        "settle a signal", [&](int) { filter::settle({}, b.jobs, mean, sums); }, mean.light.x);
     filter::Plane variance;
-    b.row("variance, short history", [&](int) { filter::estimate_variance(mean, guides, b.jobs, variance); }, variance);
+    b.row(
+        "variance, short history", [&](int) { filter::estimate_variance(mean, guides, b.jobs, variance); },
+        variance);
     mean.length = filter::Plane(b.options.width, b.options.height, 8.0f);
-    b.row("variance, long history", [&](int) { filter::estimate_variance(mean, guides, b.jobs, variance); }, variance);
+    b.row(
+        "variance, long history", [&](int) { filter::estimate_variance(mean, guides, b.jobs, variance); },
+        variance);
 
     const filter::SignalView signal{&mean.light, &variance};
     filter::Signal scratch[2];
     for (const int radius : {1, 2}) {
         const filter::AtrousSettings settings{.levels = 5, .radius = radius};
         const std::string name = std::string("a-trous ") + (radius == 1 ? "3x3" : "5x5") + ", 5 levels";
-        b.row(name.c_str(), [&](int) { filter::atrous(guides, signal, settings, b.jobs, scratch); },
-              scratch[0].light.x);
+        b.row(
+            name.c_str(), [&](int) { filter::atrous(guides, signal, settings, b.jobs, scratch); },
+            scratch[0].light.x);
     }
     filter::Plane3 out;
-    b.row("remodulate",
-          [&](int) {
-              filter::remodulate({&mean.light, &mean.light, &mean.light, &now.noisy.clean}, now.surfaces.albedo,
-                                 b.jobs, out);
-          },
-          out.x);
+    b.row(
+        "remodulate",
+        [&](int) {
+            filter::remodulate({&mean.light, &mean.light, &mean.light, &now.noisy.clean}, now.surfaces.albedo,
+                               b.jobs, out);
+        },
+        out.x);
+}
+
+void bench_enlarging(const Bench& b) {
+    const gh::test::Frame& now = b.frames[11];
+    const gh::test::Frame window = gh::test::render({}, b.options.window_width, b.options.window_height, 0);
+    const filter::Plane3 small = gh::test::total(now.truth);
+    filter::Plane3 out(b.options.window_width, b.options.window_height);
+    b.row(
+        "enlarge to the window, cubic", [&](int) { filter::enlarge(small, b.jobs, out); }, out.x);
+    filter::Guides guides, large;
+    filter::make_guides(now.surfaces, b.jobs, guides);
+    filter::make_guides(window.surfaces, b.jobs, large);
+    b.row(
+        "enlarge to the window, by its surfaces",
+        [&](int) { filter::joint_enlarge(small, guides, large, b.jobs, out); }, out.x);
 }
 
 void bench_denoiser(const Bench& b, const char* name, bool has_indirect, bool has_specular) {
@@ -131,14 +162,15 @@ void bench_denoiser(const Bench& b, const char* name, bool has_indirect, bool ha
         if (!has_specular) frame.noisy.specular = {};
     }
     std::size_t next = 0;
-    b.row(name,
-          [&](int) {
-              // There and back again, so that history always fits.
-              const std::size_t at = next++ % 22;
-              const gh::test::Frame& frame = frames[at < 12 ? at : 22 - at];
-              denoiser.denoise(frame.surfaces, frame.noisy, {}, b.jobs, out);
-          },
-          out.x);
+    b.row(
+        name,
+        [&](int) {
+            // There and back again, so that history always fits.
+            const std::size_t at = next++ % 22;
+            const gh::test::Frame& frame = frames[at < 12 ? at : 22 - at];
+            denoiser.denoise(frame.surfaces, frame.noisy, {}, b.jobs, out);
+        },
+        out.x);
 }
 
 void report_error(const Bench& b) {
@@ -168,6 +200,7 @@ int main(int argc, char** argv) {
     const Bench b(options);
     bench::print_head("core-ms a frame");
     bench_stages(b);
+    bench_enlarging(b);
     bench_denoiser(b, "denoise: direct", false, false);
     bench_denoiser(b, "denoise: direct + indirect", true, false);
     bench_denoiser(b, "denoise: direct + indirect + specular", true, true);
