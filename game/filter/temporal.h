@@ -5,7 +5,7 @@
 // variance (Schied et al. 2017, equation 4), and a second, fast mean over two or three frames, by which settle() in
 // anti_lag.h notices that light has changed.
 //
-// Cost      about 8 cycles a pixel and signal; 30 where motion tears neighbours apart.
+// Cost      about 12 cycles a pixel and signal; 30 where motion tears neighbours apart.
 // Threads   reads its arguments only. Same bits for any number of threads and any instruction set.
 // Energy    constant in, constant out, exactly; a mean of samples is what comes out, nothing is clamped here.
 // Bad input a sample that is not finite is skipped: history stands in for it, black where there is none.
