@@ -1,0 +1,33 @@
+// speed_error/reference.h - the truth pictures are judged by, made once and kept in a file.
+#pragma once
+
+#include "base/image.h"
+#include "base/result.h"
+#include "contestants.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace speed_error {
+
+struct Reference {
+    gh::Image picture;
+    double own_error = 0.0;  // its relMSE, estimated from its two independent halves
+    std::uint64_t key = 0;   // of all it was made from
+};
+
+struct ReferenceSettings {
+    int samples_per_pixel = 1024;  // of both halves together
+    std::filesystem::path folder;
+    std::string view;         // names the file, with the truth
+    std::uint64_t scene_key;  // changes with level and camera
+    int width = 320, height = 180;
+};
+
+// Reads the file when it was made from the very same things; makes and writes it otherwise.
+[[nodiscard]] gh::Result<Reference> reference(const std::string& truth, const ReferenceSettings& settings,
+                                              const gh::render::SceneView& scene,
+                                              const gh::render::Camera& camera, const gh::Jobs& jobs);
+
+}  // namespace speed_error
