@@ -1,0 +1,31 @@
+// raycore/blas_file.h - a built tree as bytes, so that a big level need not build its trees again.
+//
+// The bytes hold the tree, not the triangles: loading asks for the very mesh it was built from, and takes its corners.
+// They are meant for the machine and the raycore that wrote them; anything else is refused, never guessed at.
+// Cost      O(n), by several threads: a tenth of a high-quality build, most of it the copying of corners.
+// Same bits a loaded Blas is the saved one, byte for byte.
+// Bad input bytes that are damaged, cut short, of another version or another mesh are refused with a sentence. Whatever
+//           they hold, loading never reads outside them and a tree that is accepted never leads a query astray.
+#pragma once
+
+#include "raycore/blas.h"
+#include "raycore/mesh.h"
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace rc {
+
+// Empty, and a contract violation, when `mesh` is not what `blas` was built from (or refitted to).
+[[nodiscard]] std::vector<std::byte> save_blas(const Blas& blas, const MeshView& mesh);
+
+struct LoadedBlas {
+    std::shared_ptr<Blas> blas;  // nothing when refused
+    std::string refusal;         // why, in a sentence
+};
+[[nodiscard]] LoadedBlas load_blas(std::span<const std::byte> bytes, const MeshView& mesh);
+
+}  // namespace rc
