@@ -1,6 +1,7 @@
 // kernels/boxes.inl - a ray against the eight boxes of a node, and the stacks of what is still to be opened.
 
 namespace rc::kernel::RC_ISA {
+namespace {
 
 struct Entrances {
     Float enter, leave;  // distances; a box is met where enter <= leave
@@ -94,4 +95,5 @@ static inline void prefetch(const WideNode* nodes, const float* leaves, std::uin
     for (int line = 0; line < kLines; ++line) __builtin_prefetch(at + 64 * line);
 }
 
+}  // namespace
 }  // namespace rc::kernel::RC_ISA

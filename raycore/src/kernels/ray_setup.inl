@@ -8,6 +8,7 @@
 // near and far planes merely have different constants. raycore/README.md has the proof line by line.
 
 namespace rc::kernel::RC_ISA {
+namespace {
 
 // Three axes and a lane that means nothing; the compiler's own vectors, since every ISA has four floats.
 typedef float Quad __attribute__((vector_size(16)));
@@ -85,6 +86,18 @@ static inline float larger(float a, float b) {
 // Beyond every hit whose t is at most `t_max`.
 static inline float s_limit(const BoxRay& box, float t_max) {
     return t_max * box.dz_abs * (1.0f + 0x1p-21f) + box.s_pad;
+}
+
+// Axes in the order of a ray that runs mostly along kz.
+inline constexpr int kNextAxis[3] = {1, 2, 0};
+
+inline constexpr float kLargest = 0x1.fffffep127f;  // t beyond it, either way, is infinite: a miss
+
+static inline float finite_limit(float t_max) {
+    return t_max < kLargest ? t_max : kLargest;
+}
+static inline float finite_start(float t_min) {
+    return t_min > -kLargest ? t_min : -kLargest;
 }
 
 // x - x is NaN for what is not finite, and zero for all else.
@@ -177,4 +190,5 @@ static inline void to_local(const double m[12], const RayIn& ray, float origin[3
     }
 }
 
+}  // namespace
 }  // namespace rc::kernel::RC_ISA

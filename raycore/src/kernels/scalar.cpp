@@ -7,6 +7,8 @@
 #include "kernels/boxes.inl"
 #include "kernels/traverse.inl"
 #include "kernels/stream.inl"
+#include "kernels/packet_rays.inl"
+#include "kernels/packet.inl"
 #include "kernels/sinks.inl"
 // clang-format on
 

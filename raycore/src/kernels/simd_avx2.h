@@ -8,6 +8,7 @@
 #endif
 
 namespace rc::kernel::RC_ISA {
+namespace {
 
 struct Float {
     __m256 v;
@@ -22,11 +23,24 @@ static inline void store(float* p, Float a) {
 static inline Float splat(float a) {
     return {_mm256_set1_ps(a)};
 }
+static inline Float operator+(Float a, Float b) {
+    return {_mm256_add_ps(a.v, b.v)};
+}
 static inline Float operator-(Float a, Float b) {
     return {_mm256_sub_ps(a.v, b.v)};
 }
 static inline Float operator*(Float a, Float b) {
     return {_mm256_mul_ps(a.v, b.v)};
+}
+static inline Float operator/(Float a, Float b) {
+    return {_mm256_div_ps(a.v, b.v)};
+}
+static inline Float absolute(Float a) {
+    return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)};
+}
+// a, which is not negative, with the sign of b.
+static inline Float with_sign_of(Float a, Float b) {
+    return {_mm256_or_ps(a.v, _mm256_and_ps(_mm256_set1_ps(-0.0f), b.v))};
 }
 static inline Float min(Float a, Float b) {
     return {_mm256_min_ps(a.v, b.v)};
@@ -55,7 +69,58 @@ static inline float least(__m256 a) {
     return _mm_cvtss_f32(m);
 }
 
+static inline Words splat(std::uint32_t a) {
+    return {_mm256_set1_epi32(static_cast<int>(a))};
+}
+
 #ifdef __AVX512VL__
+// Eight doubles.
+struct Double {
+    __m512d v;
+};
+static inline Double load(const double* p) {
+    return {_mm512_loadu_pd(p)};
+}
+static inline Double widen(Float a) {
+    return {_mm512_maskz_cvtps_pd(0xFF, a.v)};  // GCC 12 takes the plain one for uninitialised
+}
+static inline Float narrow(Double a) {
+    return {_mm512_maskz_cvtpd_ps(0xFF, a.v)};
+}
+static inline Double operator+(Double a, Double b) {
+    return {_mm512_add_pd(a.v, b.v)};
+}
+static inline Double operator-(Double a, Double b) {
+    return {_mm512_sub_pd(a.v, b.v)};
+}
+static inline Double operator*(Double a, Double b) {
+    return {_mm512_mul_pd(a.v, b.v)};
+}
+static inline Double operator/(Double a, Double b) {
+    return {_mm512_div_pd(a.v, b.v)};
+}
+static inline std::uint32_t not_negative_bits(Double a) {
+    return _mm512_cmp_pd_mask(a.v, _mm512_setzero_pd(), _CMP_GE_OQ);
+}
+static inline std::uint32_t not_positive_bits(Double a) {
+    return _mm512_cmp_pd_mask(a.v, _mm512_setzero_pd(), _CMP_LE_OQ);
+}
+// Leaves the lanes outside `bits` as they are.
+static inline void store_where(double* p, Double a, std::uint32_t bits) {
+    _mm512_mask_storeu_pd(p, static_cast<__mmask8>(bits), a.v);
+}
+static inline void store_where(float* p, Float a, std::uint32_t bits) {
+    _mm256_mask_storeu_ps(p, static_cast<__mmask8>(bits), a.v);
+}
+static inline void store_where(std::uint32_t* p, Words a, std::uint32_t bits) {
+    _mm256_mask_storeu_epi32(p, static_cast<__mmask8>(bits), a.v);
+}
+static inline std::uint32_t equal_bits(Words a, Words b) {
+    return _mm256_cmpeq_epi32_mask(a.v, b.v);
+}
+static inline std::uint32_t above_bits(Words a, Words b) {
+    return _mm256_cmpgt_epu32_mask(a.v, b.v);
+}
 // The lanes of `bits` side by side, in their order; what follows them means nothing.
 static inline Float compress(Float a, std::uint32_t bits) {
     return {_mm256_maskz_compress_ps(static_cast<__mmask8>(bits), a.v)};
@@ -84,6 +149,66 @@ static inline std::uint32_t opposite_bits(Float a, Float b) {
     return _mm256_mask_cmp_ps_mask(below, b.v, zero, _CMP_GT_OQ);
 }
 #else
+struct Double {
+    __m256d low, high;
+};
+static inline Double load(const double* p) {
+    return {_mm256_loadu_pd(p), _mm256_loadu_pd(p + 4)};
+}
+static inline Double widen(Float a) {
+    return {_mm256_cvtps_pd(_mm256_castps256_ps128(a.v)), _mm256_cvtps_pd(_mm256_extractf128_ps(a.v, 1))};
+}
+static inline Float narrow(Double a) {
+    return {_mm256_set_m128(_mm256_cvtpd_ps(a.high), _mm256_cvtpd_ps(a.low))};
+}
+static inline Double operator+(Double a, Double b) {
+    return {_mm256_add_pd(a.low, b.low), _mm256_add_pd(a.high, b.high)};
+}
+static inline Double operator-(Double a, Double b) {
+    return {_mm256_sub_pd(a.low, b.low), _mm256_sub_pd(a.high, b.high)};
+}
+static inline Double operator*(Double a, Double b) {
+    return {_mm256_mul_pd(a.low, b.low), _mm256_mul_pd(a.high, b.high)};
+}
+static inline Double operator/(Double a, Double b) {
+    return {_mm256_div_pd(a.low, b.low), _mm256_div_pd(a.high, b.high)};
+}
+static inline std::uint32_t bits_of(__m256d low, __m256d high) {
+    return static_cast<std::uint32_t>(_mm256_movemask_pd(low) | _mm256_movemask_pd(high) << 4);
+}
+static inline std::uint32_t not_negative_bits(Double a) {
+    const __m256d zero = _mm256_setzero_pd();
+    return bits_of(_mm256_cmp_pd(a.low, zero, _CMP_GE_OQ), _mm256_cmp_pd(a.high, zero, _CMP_GE_OQ));
+}
+static inline std::uint32_t not_positive_bits(Double a) {
+    const __m256d zero = _mm256_setzero_pd();
+    return bits_of(_mm256_cmp_pd(a.low, zero, _CMP_LE_OQ), _mm256_cmp_pd(a.high, zero, _CMP_LE_OQ));
+}
+static inline __m256i lanes_of(std::uint32_t bits) {
+    const __m256i lane_bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+    return _mm256_cmpeq_epi32(_mm256_and_si256(_mm256_set1_epi32(static_cast<int>(bits)), lane_bit),
+                              lane_bit);
+}
+static inline void store_where(double* p, Double a, std::uint32_t bits) {
+    const __m256i lanes = lanes_of(bits);
+    _mm256_maskstore_pd(p, _mm256_cvtepi32_epi64(_mm256_castsi256_si128(lanes)), a.low);
+    _mm256_maskstore_pd(p + 4, _mm256_cvtepi32_epi64(_mm256_extracti128_si256(lanes, 1)), a.high);
+}
+static inline void store_where(float* p, Float a, std::uint32_t bits) {
+    _mm256_maskstore_ps(p, lanes_of(bits), a.v);
+}
+static inline void store_where(std::uint32_t* p, Words a, std::uint32_t bits) {
+    _mm256_maskstore_epi32(reinterpret_cast<int*>(p), lanes_of(bits), a.v);
+}
+static inline std::uint32_t equal_bits(Words a, Words b) {
+    const __m256i equal = _mm256_cmpeq_epi32(a.v, b.v);
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(equal)));
+}
+static inline std::uint32_t above_bits(Words a, Words b) {
+    const __m256i sign = _mm256_set1_epi32(INT32_MIN);
+    const __m256i above = _mm256_cmpgt_epi32(_mm256_xor_si256(a.v, sign), _mm256_xor_si256(b.v, sign));
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(above)));
+}
 struct CompressLanes {
     std::uint64_t of[256];
     constexpr CompressLanes() : of{} {
@@ -106,9 +231,7 @@ static inline Words compress(Words a, std::uint32_t bits) {
     return {_mm256_permutevar8x32_epi32(a.v, compressed_lanes(bits).v)};
 }
 static inline std::uint32_t lane_of_least(Float a, std::uint32_t bits) {
-    const __m256i lane_bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
-    const __m256i chosen = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(bits)), lane_bit);
-    const __m256 mask = _mm256_castsi256_ps(_mm256_cmpeq_epi32(chosen, lane_bit));
+    const __m256 mask = _mm256_castsi256_ps(lanes_of(bits));
     const __m256 masked = _mm256_blendv_ps(_mm256_set1_ps(__builtin_inff()), a.v, mask);
     const __m256 is_least = _mm256_cmp_ps(masked, _mm256_set1_ps(least(masked)), _CMP_EQ_OQ);
     const std::uint32_t lanes = static_cast<std::uint32_t>(_mm256_movemask_ps(is_least)) & bits;
@@ -130,4 +253,5 @@ static inline std::uint32_t opposite_bits(Float a, Float b) {
 }
 #endif
 
+}  // namespace
 }  // namespace rc::kernel::RC_ISA

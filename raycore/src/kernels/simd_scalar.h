@@ -4,6 +4,7 @@
 #define RC_ISA isa_scalar
 
 namespace rc::kernel::RC_ISA {
+namespace {
 
 struct Float {
     float lane[8];
@@ -25,11 +26,24 @@ static inline void store(float* p, Float a) {
 static inline Float splat(float a) {
     return each([&](int) { return a; });
 }
+static inline Float operator+(Float a, Float b) {
+    return each([&](int i) { return a.lane[i] + b.lane[i]; });
+}
 static inline Float operator-(Float a, Float b) {
     return each([&](int i) { return a.lane[i] - b.lane[i]; });
 }
 static inline Float operator*(Float a, Float b) {
     return each([&](int i) { return a.lane[i] * b.lane[i]; });
+}
+static inline Float operator/(Float a, Float b) {
+    return each([&](int i) { return a.lane[i] / b.lane[i]; });
+}
+static inline Float absolute(Float a) {
+    return each([&](int i) { return __builtin_fabsf(a.lane[i]); });
+}
+// a, which is not negative, with the sign of b.
+static inline Float with_sign_of(Float a, Float b) {
+    return each([&](int i) { return __builtin_copysignf(a.lane[i], b.lane[i]); });
 }
 // The second operand when either is NaN, as the machine instructions have it.
 static inline Float min(Float a, Float b) {
@@ -65,6 +79,65 @@ static inline Words load(const std::uint32_t* p) {
 static inline void store(std::uint32_t* p, Words a) {
     for (int i = 0; i < 8; ++i) p[i] = a.lane[i];
 }
+static inline Words splat(std::uint32_t a) {
+    return {{a, a, a, a, a, a, a, a}};
+}
+
+struct Double {
+    double lane[8];
+};
+template <class Op>
+static inline Double each_double(Op op) {
+    Double r;
+    for (int i = 0; i < 8; ++i) r.lane[i] = op(i);
+    return r;
+}
+static inline Double load(const double* p) {
+    return each_double([&](int i) { return p[i]; });
+}
+static inline Double widen(Float a) {
+    return each_double([&](int i) { return double(a.lane[i]); });
+}
+static inline Float narrow(Double a) {
+    return each([&](int i) { return float(a.lane[i]); });
+}
+static inline Double operator+(Double a, Double b) {
+    return each_double([&](int i) { return a.lane[i] + b.lane[i]; });
+}
+static inline Double operator-(Double a, Double b) {
+    return each_double([&](int i) { return a.lane[i] - b.lane[i]; });
+}
+static inline Double operator*(Double a, Double b) {
+    return each_double([&](int i) { return a.lane[i] * b.lane[i]; });
+}
+static inline Double operator/(Double a, Double b) {
+    return each_double([&](int i) { return a.lane[i] / b.lane[i]; });
+}
+static inline std::uint32_t not_negative_bits(Double a) {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < 8; ++i) bits |= std::uint32_t{a.lane[i] >= 0} << i;
+    return bits;
+}
+static inline std::uint32_t not_positive_bits(Double a) {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < 8; ++i) bits |= std::uint32_t{a.lane[i] <= 0} << i;
+    return bits;
+}
+// Leaves the lanes outside `bits` as they are.
+template <class Word, class Vector>
+static inline void store_where(Word* p, Vector a, std::uint32_t bits) {
+    for (; bits != 0; bits &= bits - 1) p[__builtin_ctz(bits)] = a.lane[__builtin_ctz(bits)];
+}
+static inline std::uint32_t equal_bits(Words a, Words b) {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < 8; ++i) bits |= std::uint32_t{a.lane[i] == b.lane[i]} << i;
+    return bits;
+}
+static inline std::uint32_t above_bits(Words a, Words b) {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < 8; ++i) bits |= std::uint32_t{a.lane[i] > b.lane[i]} << i;
+    return bits;
+}
 // The lanes of `bits` side by side, in their order; what follows them means nothing.
 template <class Vector>
 static inline Vector compress(Vector a, std::uint32_t bits) {
@@ -88,4 +161,5 @@ static inline std::uint32_t common_bits(Words a, std::uint32_t b) {
     return bits;
 }
 
+}  // namespace
 }  // namespace rc::kernel::RC_ISA

@@ -1,57 +1,11 @@
 // kernels/sinks.inl - what each query does with a hit, and the kernel table of this ISA.
 
 namespace rc::kernel::RC_ISA {
-
-inline constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
-inline constexpr float kLargest = 0x1.fffffep127f;  // t beyond it, either way, is infinite: a miss
-
-static inline float finite_limit(float t_max) {
-    return t_max < kLargest ? t_max : kLargest;
-}
-static inline float finite_start(float t_min) {
-    return t_min > -kLargest ? t_min : -kLargest;
-}
+namespace {
 
 static inline HitOut to_hit(const Candidate& c) {
     return {c.t, float(c.weight1 / c.weight_sum), float(c.weight2 / c.weight_sum), c.primitive, c.instance};
 }
-
-// Keeps the nearest; equal t keeps the lower instance, then the lower primitive.
-struct ClosestSink {
-    static constexpr bool kNearestFirst = true;  // what is near comes first
-    float t_min, t_limit;
-    Candidate best;
-
-    void begin(const RayIn& ray) {
-        t_min = finite_start(ray.t_min);
-        t_limit = finite_limit(ray.t_max);
-        best.primitive = best.instance = kNobody;
-    }
-    bool take(const Candidate& c) {
-        const bool lower =
-            c.instance < best.instance || (c.instance == best.instance && c.primitive < best.primitive);
-        if (c.t < t_limit || lower) {
-            best = c;
-            t_limit = c.t;
-        }
-        return false;
-    }
-    bool is_done() const { return false; }
-};
-
-struct AnySink {
-    static constexpr bool kNearestFirst = false;
-    float t_min, t_limit;
-    bool is_hit;
-
-    void begin(const RayIn& ray) {
-        t_min = finite_start(ray.t_min);
-        t_limit = finite_limit(ray.t_max);
-        is_hit = false;
-    }
-    bool take(const Candidate&) { return is_hit = true; }
-    bool is_done() const { return is_hit; }
-};
 
 // Keeps the nearest `capacity` in order. A primitive met twice (its pieces in two leaves) counts once.
 struct CrossingsSink {
@@ -91,32 +45,32 @@ struct AnyAnswers {
     void write(std::uint64_t i, const AnySink& sink) const { is_hit[i] = sink.is_hit; }
 };
 
-// One ray walks alone, a batch as a stream.
-template <class Sink, class Answers>
+// One ray walks alone; of a batch those that run together are packets, the others a stream.
+template <class Sink, class Lanes, class Answers>
 static void ask(const SceneView& scene, const RayIn* rays, std::uint64_t n, std::uint32_t layers,
                 const Answers& answers, Counts* counts) {
     Counts sum;
-    if (n > 1 && scene.root != kEmptyTree) {
-        sum = Stream<Sink, Answers>(scene, rays, n, layers, answers).run();
-    } else {
+    if (n == 1 || scene.root == kEmptyTree) {
         for (std::uint64_t i = 0; i < n; ++i) {
             Sink sink;
             sink.begin(rays[i]);
             if (is_good(rays[i])) walk_scene(scene, rays[i], layers, sink, sum);
             answers.write(i, sink);
         }
+    } else {
+        ask_packets<Lanes>(scene, rays, n, layers, answers, sum);
     }
     if (counts != nullptr) *counts = sum;
 }
 
 static void closest(const SceneView& scene, const RayIn* rays, std::uint64_t n, std::uint32_t layers,
                     HitOut* hits, Counts* counts) {
-    ask<ClosestSink, HitAnswers>(scene, rays, n, layers, {hits}, counts);
+    ask<ClosestSink, ClosestLanes, HitAnswers>(scene, rays, n, layers, {hits}, counts);
 }
 
 static void any(const SceneView& scene, const RayIn* rays, std::uint64_t n, std::uint32_t layers,
                 std::uint8_t* is_hit, Counts* counts) {
-    ask<AnySink, AnyAnswers>(scene, rays, n, layers, {is_hit}, counts);
+    ask<AnySink, AnyLanes, AnyAnswers>(scene, rays, n, layers, {is_hit}, counts);
 }
 
 static std::uint32_t crossings(const SceneView& scene, const RayIn& ray, std::uint32_t layers, HitOut* out,
@@ -127,4 +81,5 @@ static std::uint32_t crossings(const SceneView& scene, const RayIn& ray, std::ui
     return sink.count;
 }
 
+}  // namespace
 }  // namespace rc::kernel::RC_ISA

@@ -6,6 +6,7 @@
 // it is tested against the same triangles by the same arithmetic as alone.
 
 namespace rc::kernel::RC_ISA {
+namespace {  // members of templates must not leave this file as weak symbols
 
 inline constexpr int kInFlight = 32;
 
@@ -26,8 +27,10 @@ class Stream {
     using Rays = Walker<Sink> * [kInFlight + 1];  // one more: what is appended may be taken back
 
   public:
-    Stream(const SceneView& scene, const RayIn* rays, std::uint64_t n, std::uint32_t layers, Answers answers)
-        : scene_(scene), rays_(rays), n_(n), layers_(layers), answers_(answers) {}
+    // Rays [begin, end) of the batch.
+    Stream(const SceneView& scene, const RayIn* rays, std::uint64_t begin, std::uint64_t end,
+           std::uint32_t layers, const Answers& answers)
+        : scene_(scene), rays_(rays), next_(begin), end_(end), layers_(layers), answers_(answers) {}
 
     Counts run() {
         for (Walker<Sink>& walker : walkers_) start(walker);
@@ -137,7 +140,7 @@ class Stream {
 
     // The next ray of the batch that has a way to go.
     void start(Walker<Sink>& walker) {
-        while (next_ < n_) {
+        while (next_ < end_) {
             walker.ray = next_++;
             const RayIn& ray = rays_[walker.ray];
             walker.sink.begin(ray);
@@ -156,14 +159,24 @@ class Stream {
 
     const SceneView& scene_;
     const RayIn* rays_;
-    std::uint64_t n_;
+    std::uint64_t next_, end_;
     std::uint32_t layers_;
-    Answers answers_;
-    std::uint64_t next_ = 0;
+    const Answers& answers_;
     Counts counts_;
     int at_node_ = 0, at_leaf_ = 0;
     Rays node_rays_, leaf_rays_;
     Walker<Sink> walkers_[kInFlight];
 };
 
+template <class Sink, class Answers>
+static void ask_stream(const SceneView& scene, const RayIn* rays, std::uint64_t begin, std::uint64_t end,
+                       std::uint32_t layers, const Answers& answers, Counts& counts) {
+    if (begin == end) return;
+    const Counts added = Stream<Sink, Answers>(scene, rays, begin, end, layers, answers).run();
+    counts.instances += added.instances;
+    counts.nodes += added.nodes;
+    counts.leaves += added.leaves;
+}
+
+}  // namespace
 }  // namespace rc::kernel::RC_ISA

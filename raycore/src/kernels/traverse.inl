@@ -4,6 +4,46 @@
 // matters, and hands every candidate within it to `sink.take`, which says whether to stop.
 
 namespace rc::kernel::RC_ISA {
+namespace {
+
+inline constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
+
+// Keeps the nearest; equal t keeps the lower instance, then the lower primitive.
+struct ClosestSink {
+    static constexpr bool kNearestFirst = true;  // what is near comes first
+    float t_min, t_limit;
+    Candidate best;
+
+    void begin(const RayIn& ray) {
+        t_min = finite_start(ray.t_min);
+        t_limit = finite_limit(ray.t_max);
+        best.primitive = best.instance = kNobody;
+    }
+    bool take(const Candidate& c) {
+        const bool lower =
+            c.instance < best.instance || (c.instance == best.instance && c.primitive < best.primitive);
+        if (c.t < t_limit || lower) {
+            best = c;
+            t_limit = c.t;
+        }
+        return false;
+    }
+    bool is_done() const { return false; }
+};
+
+struct AnySink {
+    static constexpr bool kNearestFirst = false;
+    float t_min, t_limit;
+    bool is_hit;
+
+    void begin(const RayIn& ray) {
+        t_min = finite_start(ray.t_min);
+        t_limit = finite_limit(ray.t_max);
+        is_hit = false;
+    }
+    bool take(const Candidate&) { return is_hit = true; }
+    bool is_done() const { return is_hit; }
+};
 
 // A ray in an instance's own frame.
 struct InstanceRay {
@@ -185,4 +225,5 @@ static void walk_scene(const SceneView& scene, const RayIn& world, std::uint32_t
     }
 }
 
+}  // namespace
 }  // namespace rc::kernel::RC_ISA

@@ -9,6 +9,7 @@
 // rounded products is never of the wrong sign (rounding is monotone), only sometimes zero. Fused, it would be.
 
 namespace rc::kernel::RC_ISA {
+namespace {
 
 struct Candidate {
     float t;
@@ -64,4 +65,5 @@ static inline bool decide(const float* rows, std::uint32_t count, std::uint32_t 
     return (front | back) & (sum != 0);
 }
 
+}  // namespace
 }  // namespace rc::kernel::RC_ISA
