@@ -23,6 +23,7 @@ struct Sound::Data {
     std::vector<audio::Heard> heard;
     std::unique_ptr<sim::Navigation> ways;  // made for `level`
     const world::Level* level = nullptr;
+    std::vector<audio::RoomSound> rooms;  // of `level`
     std::array<float, 2 * audio::kFramesPerTick> tick{};
 };
 
@@ -77,7 +78,10 @@ void Sound::note_tick(const world::Level& level, const world::Snapshot& now) {
     if (d.level != &level) {
         d.ways = std::make_unique<sim::Navigation>(level);
         d.level = &level;
+        d.rooms = audio::room_sounds(level);
     }
+    const std::uint32_t room = audio::room_at(level, ear.position);  // in a doorway: the room one comes from
+    if (room != world::kNoIndex) d.mixer.set_room(d.rooms[room]);
     d.heard.clear();
     for (const audio::Source& source : d.soundscape.sources(level, now.state, ear.position)) {
         d.heard.push_back(

@@ -42,7 +42,7 @@ struct Mixer::Engine {
     std::array<Slot, kSlots> slots;
     std::vector<std::uint32_t> ended;  // keys whose sound is over but which are still named
     std::vector<Heard> chosen;
-    ALuint hall = 0;  // effect slot; 0: dry
+    Hall hall;
     float volume = 1.0f;
     bool is_paused = false;
 
@@ -166,8 +166,11 @@ void Mixer::Engine::start(const Heard& heard, const Ear& ear) {
         alSourcei(slot.sources[b], AL_BUFFER, static_cast<ALint>(bands[b]));
         alSourcei(slot.sources[b], AL_LOOPING, heard.loop ? AL_TRUE : AL_FALSE);
         alSourcef(slot.sources[b], AL_ROLLOFF_FACTOR, 0.0f);
-        alSource3i(slot.sources[b], AL_AUXILIARY_SEND_FILTER,
-                   is_placed ? static_cast<ALint>(hall) : AL_EFFECTSLOT_NULL, 0, AL_FILTER_NULL);
+        for (std::size_t send = 0; send < hall.slots().size(); ++send) {
+            alSource3i(slot.sources[b], AL_AUXILIARY_SEND_FILTER,
+                       is_placed ? static_cast<ALint>(hall.slots()[send]) : AL_EFFECTSLOT_NULL,
+                       static_cast<ALint>(send), AL_FILTER_NULL);
+        }
     }
     aim(slot, heard, ear);
     apply_gains(slot);
@@ -184,7 +187,7 @@ Result<Mixer> Mixer::open_device(const SoundBank& bank) {
     if (!device) return device.error();
     auto engine = std::make_unique<Engine>(std::move(*device));
     engine->fill(bank);
-    engine->hall = make_hall();
+    engine->hall.open(RoomSound{});
     return Mixer(std::move(engine));
 }
 
@@ -193,7 +196,7 @@ Result<Mixer> Mixer::open_loopback(const SoundBank& bank, bool hrtf) {
     if (!device) return device.error();
     auto engine = std::make_unique<Engine>(std::move(*device));
     engine->fill(bank);
-    if (hrtf) engine->hall = make_hall();
+    if (hrtf) engine->hall.open(RoomSound{});
     return Mixer(std::move(engine));
 }
 
@@ -221,7 +224,12 @@ void Mixer::tick(const Ear& ear, std::span<const Heard> heard) {
     for (const Engine::Slot& slot : engine.slots) {
         if (slot.phase != Phase::Free) engine.apply_gains(slot);
     }
+    engine.hall.tick();
     engine.al.apply_changes();
+}
+
+void Mixer::set_room(const RoomSound& room) {
+    engine_->hall.enter(room);
 }
 
 void Mixer::render(std::span<float> stereo) {

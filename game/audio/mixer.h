@@ -1,4 +1,4 @@
-// audio/mixer.h - what the player hears, mixed by OpenAL Soft with HRTF, in one reverberant hall.
+// audio/mixer.h - what the player hears, mixed by OpenAL Soft with HRTF, in the room the player is in.
 //
 //   Result<SoundBank> bank = SoundBank::load(assets / "sounds");
 //   Result<Mixer> mixer = Mixer::open_device(*bank);   // no device: a sentence; go on without a mixer
@@ -18,6 +18,7 @@
 // Bad input a NaN in a position or gain: that sound is not played.
 #pragma once
 
+#include "audio/room_sound.h"
 #include "audio/sound_bank.h"
 #include "base/result.h"
 
@@ -66,6 +67,9 @@ class Mixer {
 
     // Starts, moves and fades voices so that this tick's sounds are those of `heard`.
     void tick(const Ear& ear, std::span<const Heard> heard);
+
+    // The room that placed sounds ring in from the next tick on; faded over in half a second. A plain small one at first.
+    void set_room(const RoomSound& room);
 
     // One tick of sound, left and right in turn: exactly 2 * kFramesPerTick samples. Loopback only.
     void render(std::span<float> stereo);
