@@ -15,7 +15,7 @@
 // the difference, and a lone bright sample raises the variance with the mean. (In the spirit of the history clamping of
 // Karis 2014 and of the fast history of NVIDIA's ReBLUR, but a test of significance, so that it keeps the energy.)
 //
-// Cost      lamp_change 2, gradients about 60 (of few pixels), settle 10 cycles a pixel.
+// Cost      lamp_change 2, gradients about 60 (of few pixels), settle 5 cycles a pixel.
 // Same bits for any number of threads and any instruction set.
 // Bad input what is not finite has not changed.
 #pragma once

@@ -10,7 +10,7 @@
 // the weights are exactly 1, 0, 0, 0, however the renderer jitters. The picture may change its size between frames;
 // history is found all the same.
 //
-// Cost      12 cycles a pixel with AVX-512 where neighbours stay neighbours; 40 where they are torn apart.
+// Cost      about 20 cycles a pixel with AVX-512 where neighbours stay neighbours; twice that where they are torn apart.
 // Threads   reads its arguments only.
 // Same bits for any number of threads and any instruction set.
 // Bad input NaN positions or normals are disoccluded.
