@@ -3,7 +3,7 @@
 // Same bits the loops compare, add and multiply in single precision, never fused: every ISA finds the same split.
 #pragma once
 
-#include "kernel_abi.h"
+#include "kernels/kernel_abi.h"
 
 #include <cstdint>
 
