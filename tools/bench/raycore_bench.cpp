@@ -73,6 +73,7 @@ void bench_scene(bench::Report& report, const bench::BenchScene& scene, const Op
     if (!options.no_queries)
         bench::bench_queries(report, scene,
                              {options.rounds, options.keep, options.threads, options.batch, with_embree});
+    if (!options.no_queries) bench::bench_casts(report, scene, options.rounds);
     if (!options.no_builds)
         bench::bench_builds(report, scene, {options.rounds, options.threads, with_embree});
 }
