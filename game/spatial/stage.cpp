@@ -98,7 +98,7 @@ void Stage::Data::set_the_scene() {
         if (!tree && !bends(*level, part)) {
             const world::Mesh& mesh = level->meshes[part.mesh];
             tree = rc::build_blas({.positions = mesh.positions, .triangles = mesh.triangles},
-                                  {.quality = rc::BuildQuality::High});
+                                  {.quality = rc::BuildQuality::High, .can_refit = false});
         }
         builder.add({.blas = tree, .world_from_instance = part.mover_from_part, .layers = part.layers});
         if (part.mover != world::Mover::None) movable_parts.push_back(static_cast<std::uint32_t>(p));

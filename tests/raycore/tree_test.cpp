@@ -27,7 +27,8 @@ bool same_tree(const rc::Blas::Data& a, const rc::Blas::Data& b) {
     const auto same = [](const auto& x, const auto& y) {
         return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])) == 0;
     };
-    return a.root == b.root && same(a.nodes, b.nodes) && same(a.leaves, b.leaves) && a.cost == b.cost;
+    return a.root == b.root && same(a.nodes, b.nodes) && same(a.leaves, b.leaves) && a.cost == b.cost &&
+           same(a.triangles, b.triangles) && same(a.leaf_of_primitive, b.leaf_of_primitive);
 }
 
 // Levels below `item`; counts every triangle met on the way.
@@ -49,12 +50,24 @@ class Tree : public ::testing::TestWithParam<rc::BuildQuality> {};
 
 TEST_P(Tree, IsTheSameForAnyNumberOfThreads) {
     Random random(1);
-    Mesh mesh = test::make_soup(random, 30'000, 5.0f, 0.3f);  // enough for parallel subtrees
+    Mesh mesh = test::make_soup(random, 70'000, 5.0f, 0.05f);  // enough for several threads to part one range
     test::append(mesh, test::make_ball(glm::vec3(-0.0f), 2.0f, 60));
     const auto one = build_with(mesh, 1, GetParam());
     for (const std::size_t threads : {2u, 3u, 8u})
         EXPECT_TRUE(same_tree(one->data(), build_with(mesh, threads, GetParam())->data()))
             << threads << " threads";
+}
+
+TEST_P(Tree, IsRefittedTheSameByAnyNumberOfThreads) {
+    Random random(4);
+    Mesh mesh = test::make_soup(random, 20'000, 5.0f, 0.3f);
+    const auto one = build_with(mesh, 1, GetParam());
+    for (glm::vec3& p : mesh.positions) p += random.in_cube(0.2f);
+    (void)rc::refit_blas(*one, mesh.positions);  // several threads
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    const rc::Blas copy(*one);
+    (void)rc::refit_blas(*one, mesh.positions);
+    EXPECT_TRUE(same_tree(one->data(), copy.data()));
 }
 
 TEST_P(Tree, HoldsEveryTriangleThatWasKept) {
