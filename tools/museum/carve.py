@@ -106,6 +106,21 @@ class Stone:
                 quads.append(ring)
         return points, np.concatenate(quads)
 
+    def normals_at(self, points):
+        """The stone's own normals: the field's gradient, so that a thinned skin is shaded like the full one."""
+        at = np.clip((points - self.low) / self.cell, 1, np.array(self.field.shape) - 2.001)
+        cell = np.floor(at).astype(int)
+        share = at - cell
+        total = np.zeros((len(points), 3))
+        for c in [(i, j, k) for i in (0, 1) for j in (0, 1) for k in (0, 1)]:
+            weight = np.prod(np.where(np.array(c) == 1, share, 1 - share), axis=1)
+            for axis in range(3):
+                low, high = cell + c, cell + c
+                low[:, axis] -= 1
+                high[:, axis] = np.minimum(high[:, axis] + 1, self.field.shape[axis] - 1)
+                total[:, axis] += weight * (self.field[tuple(high.T)] - self.field[tuple(low.T)])
+        return total / (np.linalg.norm(total, axis=1, keepdims=True) + 1e-12)
+
     def hewn(self, name, material, triangles):
         """The finished Blender mesh, its points thinned to about `triangles`."""
         points, quads = self.skin()
@@ -120,6 +135,7 @@ class Stone:
         done = bpy.data.meshes.new_from_object(node.evaluated_get(bpy.context.evaluated_depsgraph_get()))
         shape = meshkit.Shape()
         shape.points = [tuple(v.co) for v in done.vertices]
+        shape.normals = {i: tuple(n) for i, n in enumerate(self.normals_at(np.array(shape.points)))}
         for polygon in done.polygons:
             shape.face(list(polygon.vertices), material)
         bpy.data.objects.remove(node)

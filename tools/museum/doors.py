@@ -15,7 +15,7 @@ LEAVES = {
     "door_lodge_east": ("lodge_east", "high", 1.0, -95, "oak", "Sculpture Gallery"),
     "door_vestibule_left": ("vestibule_foyer", "low", 0.5, 95, "oak_dark", "Vestibule"),
     "door_vestibule_right": ("vestibule_foyer", "high", 0.5, -95, "oak_dark", "Vestibule"),
-    "door_store": ("store_east", "low", 1.0, 95, "oak", "Lamp store"),
+    "door_store": ("store_east", "low", 1.0, 95, "iron_green", "Lamp store"),
     "door_hall_east_left": ("hall_east", "low", 0.5, -95, "oak_dark", "Hall of Mirrors"),
     "door_hall_east_right": ("hall_east", "high", 0.5, 95, "oak_dark", "Hall of Mirrors"),
     "door_cabinet_left": ("hall_cabinet", "low", 0.5, 95, "oak_dark", "Lens Cabinet"),
@@ -39,8 +39,7 @@ def leaf(width, height, wood, handed):
         parts += [face, face.mapped(lambda p: (w + 0.006 - p[0], -p[1], p[2]))]
     knob_x = w - 0.068
     for side in (-1, 1):
-        rose = lathe([(0.0, 0.0), (0.032, 0.0), (0.028, 0.008), (0.012, 0.012), (0.010, 0.04), (0.022, 0.05), (0.030, 0.065),
-                      (0.024, 0.082), (0.0, 0.088)], "brass", 10).turned(-90 * side, "x")
+        rose = lathe([(0.032, 0.0), (0.026, 0.010), (0.011, 0.014), (0.012, 0.042), (0.031, 0.062), (0.024, 0.082), (0.0, 0.088)], "brass", 8).turned(-90 * side, "x")
         parts.append(rose.moved(knob_x, side * t, 1.02))
         parts.append(block(knob_x - 0.035, side * t - 0.004, 0.86, knob_x + 0.035, side * t + 0.004, 1.12, "brass", 0.003))
         parts.append(block(0.10, side * t - 0.003, 0.03, w - 0.10, side * t + 0.003, 0.20, "brass", 0.002))

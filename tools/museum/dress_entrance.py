@@ -11,6 +11,7 @@ import plan
 import scene
 import sculpture
 import statues
+import workshop_things as things
 from meshkit import joined, lathe
 
 
@@ -95,8 +96,9 @@ def vestibule():
     doors.front_door()
     lamps.lantern("vestibule", (0, -13.3, 3.0), 3.9, "vestibule", 1.6, 3.0)
     doors.switch("vestibule", (-1.5, -11.4, 1.25), 0, "vestibule", "Vestibule lantern")
-    scene.mesh("vestibule_urn_w", joined([statues.plinth(0.5, 0.9), statues.urn(0.7).moved(0, 0, 0.9)]), (-2.5, -14.6, 0))
-    scene.mesh("vestibule_urn_e", joined([statues.plinth(0.5, 0.9), statues.urn(0.7).moved(0, 0, 0.9)]), (2.5, -14.6, 0))
+    urn = meshkit.to_mesh(joined([statues.plinth(0.5, 0.9), statues.urn(0.7).moved(0, 0, 0.9)]), "vestibule_urn")
+    for side, x in (("w", -2.5), ("e", 2.5)):
+        scene.mesh("vestibule_urn_" + side, urn, (x, -14.6, 0))
     scene.mesh("vestibule_mat", meshkit.block(-1.2, -14.9, 0.001, 1.2, -12.0, 0.012, "carpet", 0.004))
     bench = f.bench(1.5)
     scene.mesh("vestibule_bench", bench, (-2.55, -12.6, 0), 90)
@@ -122,9 +124,20 @@ def stair():
 def cloakroom():
     scene.mesh("cloak_rack", f.coat_rack(3.2), (-14.0, -9.0, 0), 90)
     scene.mesh("cloak_rack_south", f.coat_rack(2.4), (-12.2, -11.0, 0), 180)
+    scene.mesh("cloak_hats", joined([things.hat(r, t, c).moved(x, y, 2.02) for x, y, r, t, c in (
+        (-13.84, -7.9, 0.17, 0.13, "coat"), (-13.83, -8.45, 0.14, 0.17, "dark_cloth"), (-13.85, -9.7, 0.19, 0.12, "velvet_blue"), (-12.7, -10.85, 0.16, 0.16, "coat"))]))
     scene.mesh("cloak_counter", f.counter(2.2), (-10.3, -9.6, 0), 90)
-    scene.mesh("cloak_bench", f.bench(1.4), (-9.6, -10.6, 0), 0)
+    scene.mesh("cloak_ledger", joined([meshkit.block(-0.20, -0.28, 0.0, 0.20, 0.0, 0.05, "leather", 0.0), meshkit.block(-0.19, -0.27, 0.05, 0.19, -0.01, 0.056, "paper", 0.0)]), (-10.2, -9.0, 1.06), 80)
+    scene.mesh("cloak_bench", f.bench(1.4), (-9.5, -10.65, 0), 0)
+    scene.mesh("ticket_board", things.ticket_board(), (-9.6, -11.0, 1.2), 180)
+    scene.mesh("umbrella_stand", things.umbrella_stand(), (-8.75, -7.2, 0))
+    scene.mesh("hat_stand", things.hat_stand(), (-12.75, -7.35, 0), 15)
+    for i, (y, z, width, turn) in enumerate(((-8.1, 0, 0.95, 90), (-8.15, 0.448, 0.62, 82), (-9.35, 0, 0.75, 93))):
+        scene.mesh(f"trunk_{i}", things.trunk(width), (-13.62, y, z), turn)
+    scene.mesh("cloak_rug", meshkit.slab(2.6, 1.7, 0.012, "carpet", 0.0, 0.001), (-11.9, -8.75, 0))
+    f.hang_picture("cloak", "alps", (-9.5, -6.9, 1.95), 0, 0.9)
     lamps.pendant("cloak", (-9.4, -7.9, 2.3), 3.2, "cloak", 2.4, 2.3)
+    lamps.table_lamp("cloak_desk", (-10.3, -10.25, 1.06), 90, "cloak", 2.4, 1.0)
     doors.switch("cloak", (-8.4, -7.8, 1.25), -90, "cloak", "Cloakroom lamp")
 
 

@@ -34,7 +34,7 @@ def west():
     scene.mesh("west_ropes", f.rope_posts([(-12.1, -4.9), (-12.1, -3.0), (-12.1, -1.2), (-12.1, 0.6)]))
     scene.mesh("west_ropes_mid", f.rope_posts([(-12.1, 4.6), (-12.1, 6.4)]))
     tall = meshkit.to_mesh(statues.plinth(0.5, 1.15, "marble_white"), "west_plinth")
-    for i, (px, py, pz, turn, who) in enumerate(((-8.97, -5.3, 0, -90, "sage"), (-8.97, 2.6, 0, -90, "muse"), (-8.97, 9.0, 0, -90, "sage"), (-12.43, 9.0, 0, 90, "muse"),
+    for i, (px, py, pz, turn, who) in enumerate(((-8.97, -5.3, 0, -90, "sage"), (-8.97, 2.6, 0, -90, "muse"), (-12.43, 9.0, 0, 90, "muse"),
                                                  (-12.43, 16.8, 0.8, 90, "muse"), (-8.97, 11.6, 0.8, -90, "sage"))):
         scene.mesh(f"west_plinth_{i}", tall, (px, py, pz), turn)
         scene.mesh(f"west_bust_{i}", BUSTS[who](), (px, py, pz + 1.15), turn)
@@ -44,7 +44,7 @@ def west():
     lamps.pendant("west_middle", (-10.7, 7.9, 3.1), 4.6, "west", 3.0, 3.1)
     lamps.sconce("west_hall", (-8.4, 17.5, 3.0), -90, "west_north", 1.8, 2.2)
     doors.switch("west", (-8.4, 0.0, 1.25), -90, "west", "Gallery lamps")
-    doors.switch("west_north", (-8.4, 14.0, 2.05), -90, "west_north", "North gallery lamps")
+    doors.switch("west_north", (-8.4, 13.75, 2.05), -90, "west_north", "North gallery lamps")
 
 
 def east():
@@ -68,6 +68,10 @@ def east():
     f.hang_picture("east_0", "harbour", (13.0, 7.6, 2.5), -90, 1.9)
     lamps.sconce("east_south", (13.0, -2.3, 2.3), -90, "east", 2.2, 2.3)
     lamps.sconce("east_ramp", (8.4, 7.9, 2.6), 90, "east", 2.2, 2.3)
+    # a statue is its shadows: one beam from high on one side for each landmark
+    for name, at, target, pool, cone, group in (("sage", (9.9, -5.0, 4.0), (12.3, -3.6, 1.35), 5.0, 28, "east"), ("muse", (9.9, 3.4, 4.0), (12.3, 4.6, 1.35), 5.0, 28, "east"),
+                                                ("lens", (9.2, -1.2, 4.1), (10.5, 1.4, 1.2), 4.0, 36, "east"), ("lady_north", (10.4, 15.6, 4.2), (12.2, 17.45, 2.5), 5.0, 36, "east_north")):
+        lamps.spot_can(name, at, target, group, pool, cone)
     lamps.pendant("east_north", (10.7, 16.0, 3.6), 4.6, "east_north", 2.8, 2.8)
     doors.switch("east", (8.4, -0.1, 1.25), 90, "east", "Sculpture lamps")
     doors.switch("east_north", (8.4, 14.0, 2.05), 90, "east_north", "North gallery lamp")

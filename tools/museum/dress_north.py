@@ -1,4 +1,6 @@
 """The Hall of Mirrors, the Lens Cabinet with its vitrine, the reading room and the workshop."""
+import bpy
+
 import doors
 import furniture as f
 import instruments
@@ -10,6 +12,7 @@ import mouldings
 import plan
 import scene
 import statues
+import workshop_things as things
 from meshkit import joined, lathe, slab, sweep, tube
 
 Z = plan.HIGH
@@ -46,7 +49,7 @@ def hall():
 
 def _gilt_panels():
     """Thin gilded mouldings on the silk between the pilasters and over the mirrors."""
-    bead = [(0.0, 0.0), (0.0, 0.012), (0.02, 0.022), (0.04, 0.012), (0.04, 0.0)]
+    bead = [(0.0, 0.0), (0.0, 0.014), (0.04, 0.034), (0.08, 0.014), (0.08, 0.0)]
     for i, (x, y, turn, w, z0, z1) in enumerate(((-6.6, 8.4, 180, 0.7, 1.0, 4.6), (6.6, 8.4, 180, 0.7, 1.0, 4.6), (8.0, 10.75, -90, 0.9, 1.0, 4.6))):
         frame = sweep(bead, [(-w / 2, z0), (w / 2, z0), (w / 2, z1), (-w / 2, z1)], "gilt", True).mapped(lambda p: (p[0], -p[2], p[1]))
         scene.mesh(f"gilt_panel_{i}", frame, (x, y, Z), turn)
@@ -54,8 +57,8 @@ def _gilt_panels():
 
 def cabinet():
     top = f.vitrine("vitrine", (0.0, 22.0, Z), 0.0)
-    ring = lathe([(0.112, -0.016), (0.122, -0.016), (0.126, 0.0), (0.122, 0.016), (0.112, 0.016), (0.112, -0.016)], "gilt", 48)
-    glass = statues.biconvex(0.1115, 0.045, 0.012, "lens_glass", 48, 10)
+    ring = lathe([(0.112, -0.016), (0.122, -0.016), (0.126, 0.0), (0.122, 0.016), (0.112, 0.016), (0.112, -0.016)], "gilt", 40)
+    glass = statues.biconvex(0.1115, 0.045, 0.012, "lens_glass", 40, 6)
     scene.mesh("lens_of_the_hall", joined([glass, ring]).turned(-38, "x"), (0.0, 22.0, top + 0.105), kind="lens", title="The Founder's Lens")
     stand = joined([tube([(-0.126, 0, 0.0), (-0.10, 0, -0.06), (0, 0, -0.085), (0.10, 0, -0.06), (0.126, 0, 0.0)], 0.006, "brass", 8),
                     lathe([(0.0, -0.105), (0.06, -0.105), (0.05, -0.095), (0.012, -0.088), (0.0, -0.08)], "brass", 20)])
@@ -65,14 +68,15 @@ def cabinet():
     lamps.spot_can("vitrine", (0.0, 20.1, 4.55), (0.0, 22.0, 1.75), "cabinet", 14.0, 24)
     lamps.lantern("cabinet", (0.0, 24.1, 4.0), 4.93, "cabinet", 1.2, 2.6)
     lamps.sconce("cabinet_w", (-3.6, 23.6, Z + 2.1), 90, "cabinet", 1.8, 2.3)
-    doors.switch("cabinet", (1.35, 18.6, Z + 1.25), 180, "cabinet", "Cabinet lamps")
+    doors.switch("cabinet", (-1.95, 18.6, Z + 1.25), 180, "cabinet", "Cabinet lamps")
+    plinth, urn = meshkit.to_mesh(statues.plinth(0.5, 1.0, "marble_green"), "cabinet_plinth"), meshkit.to_mesh(statues.urn(0.75, "marble_rose"), "cabinet_urn")
     for i, (x, y) in enumerate(((-2.9, 24.3), (2.9, 24.3), (-2.9, 19.3))):
-        scene.mesh(f"cabinet_plinth_{i}", statues.plinth(0.5, 1.0, "marble_green"), (x, y, Z))
-        scene.mesh(f"cabinet_urn_{i}", statues.urn(0.75, "marble_rose"), (x, y, Z + 1.0))
+        scene.mesh(f"cabinet_plinth_{i}", plinth, (x, y, Z))
+        scene.mesh(f"cabinet_urn_{i}", urn, (x, y, Z + 1.0))
     size = f.hang_picture("cabinet", "prism", (0.0, 25.0, Z + 2.0), 0, 2.0)
     lamps.picture_light("cabinet", (0.0, 25.0, Z + 2.0), 0, *size, "cabinet", 1.8)
     mouldings.coffers("cabinet", [-3.46, -1.34, 1.34, 3.46], [18.74, 20.46, 23.14, 24.86], 5.2, plan.SKYLIGHTS["cabinet"])
-    scene.mesh("cabinet_telescope", instruments.telescope(), (2.5, 19.5, Z), 150)
+    scene.mesh("cabinet_telescope", meshkit.to_mesh(instruments.telescope(), "telescope"), (2.5, 19.5, Z), 150)
 
 
 def library():
@@ -81,7 +85,7 @@ def library():
     mantel, embers = instruments.fireplace()
     scene.mesh("fireplace", mantel, (-13.0, 22.6, Z), 90)
     scene.mesh("embers", embers, (-13.0, 22.6, Z), 90, kind="glow")
-    light.bulb("embers", (-12.72, 22.6, Z + 0.2), 0.22, 1.5, "fire", 0.05, (1.0, 0.28, 0.06))
+    light.bulb("embers", (-12.72, 22.6, Z + 0.2), 0.22, 1.5, "", 0.05, (1.0, 0.28, 0.06))
     f.hang_picture("library", "scholar", (-13.0, 22.6, Z + 2.55), 90, 1.0)
     scene.mesh("library_rug", slab(3.4, 2.6, 0.012, "carpet", 0.004, 0.001), (-8.4, 21.9, Z))
     scene.mesh("bookcase_w1", f.bookcase(2.4, 2.9, 31), (-13.0, 20.1, Z), 90)
@@ -90,26 +94,37 @@ def library():
     for i, (x, y, turn) in enumerate(((-8.9, 22.6, 180), (-7.8, 21.0, 0))):
         scene.mesh(f"library_chair_{i}", f.chair(), (x, y, Z), turn)
     lamps.table_lamp("library_desk", (-8.9, 21.9, Z + 0.785), 90, "library", 4.5, 1.1)
-    lamps.pendant("library", (-10.6, 20.2, 3.3), 4.6, "library", 3.0, 2.5)
+    lamps.pendant("library", (-10.3, 20.4, 3.25), 4.6, "library", 3.0, 2.5)
     scene.mesh("globe", instruments.globe(), (-5.3, 23.4, Z))
     doors.switch("library", (-9.4, 18.6, Z + 1.25), 180, "library", "Reading room lamps")
 
 
 def workshop():
-    for i, (x, y, turn) in enumerate(((6.4, 24.4, 180), (9.6, 24.4, 180), (8.4, 21.4, 0))):
-        scene.mesh(f"workbench_{i}", f.counter(2.4), (x, y, Z), turn + 180)
+    bench = meshkit.to_mesh(things.workbench(), "workbench")
+    for i, (x, y, turn) in enumerate(((6.4, 24.6, 0), (9.6, 24.6, 0), (8.4, 21.4, 180))):
+        scene.mesh(f"workbench_{i}", bench, (x, y, Z), turn)
+    scene.mesh("tool_board", things.tool_board(), (6.4, 25.0, Z + 1.22))
+    scene.mesh("workshop_shelf_low", things.shelf(2.2, 9, 5), (9.6, 25.0, Z + 1.42))
+    scene.mesh("workshop_shelf_high", things.shelf(2.2, 9, 8), (9.6, 25.0, Z + 1.92))
+    for i, (x, y, turn, art) in enumerate(((8.0, 25.0, 0, "spheres"), (4.0, 23.7, 90, "prism"), (4.0, 20.3, 90, "spheres"))):
+        scene.mesh(f"drawing_{i}", things.pinned_drawing(0.62, art), (x, y, Z + 1.75), turn)
+    stool = meshkit.to_mesh(things.stool(), "stool")
+    for i, (x, y) in enumerate(((7.3, 23.6), (9.4, 23.7), (8.0, 20.5))):
+        scene.mesh(f"stool_{i}", stool, (x, y, Z), 50 * i)
+    scene.mesh("great_dish", things.great_dish(), (11.7, 23.7, Z), -38)
     scene.mesh("grinder", instruments.grinder(), (5.6, 21.0, Z), 40)
-    scene.mesh("workshop_telescope", instruments.telescope(), (11.8, 20.2, Z), -140)
-    scene.mesh("workshop_shelves", f.bookcase(2.2, 2.6, 40), (13.0, 22.4, Z), -90)
-    scene.mesh("workshop_crates", f.crates(7), (12.0, 24.2, Z), 30)
-    for i, (x, y, r, tilt) in enumerate(((6.0, 24.3, 0.13, 70), (6.7, 24.4, 0.09, 90), (8.0, 21.4, 0.16, 80), (9.9, 24.4, 0.11, 60))):
-        glass = statues.biconvex(r, r * 0.4, 0.01, "lens_glass" if i % 2 == 0 else "amber_glass", 32, 7).turned(tilt, "x").moved(0, 0, 0.06 + r)
-        frame = joined([lathe([(r + 0.001, -0.01), (r + 0.012, -0.01), (r + 0.012, 0.01), (r + 0.001, 0.01), (r + 0.001, -0.01)], "brass", 36).turned(tilt, "x").moved(0, 0, 0.06 + r),
-                        lathe([(0.0, 0.0), (0.06, 0.0), (0.05, 0.015), (0.012, 0.03), (0.01, 0.05), (0.0, 0.055)], "brass", 16)])
-        scene.mesh(f"bench_lens_{i}", glass, (x, y, Z + 1.06), 20 * i)
-        scene.mesh(f"bench_lens_frame_{i}", frame, (x, y, Z + 1.06), 20 * i)
+    scene.mesh("workshop_telescope", bpy.data.meshes["telescope"], (11.9, 20.0, Z), -140)
+    scene.mesh("workshop_shelves", f.bookcase(1.8, 2.6, 40), (13.0, 21.7, Z), -90)
+    scene.mesh("workshop_crates", f.crates(7), (4.8, 19.4, Z), 20)
+    top = Z + 0.90
+    for i, (x, y, r, tilt) in enumerate(((6.0, 24.5, 0.13, 70), (6.7, 24.6, 0.09, 90), (8.0, 21.4, 0.16, 80), (9.9, 24.6, 0.11, 60))):
+        glass = statues.biconvex(r, r * 0.4, 0.01, "lens_glass" if i % 2 == 0 else "amber_glass", 24, 4).turned(tilt, "x").moved(0, 0, 0.06 + r)
+        frame = joined([lathe([(r + 0.001, -0.012), (r + 0.018, -0.012), (r + 0.018, 0.012), (r + 0.001, 0.012), (r + 0.001, -0.012)], "brass", 24).turned(tilt, "x").moved(0, 0, 0.06 + r),
+                        lathe([(0.0, 0.0), (0.06, 0.0), (0.05, 0.02), (0.014, 0.035), (0.012, 0.05), (0.0, 0.055)], "brass", 12)])
+        scene.mesh(f"bench_lens_{i}", glass, (x, y, top), 20 * i)
+        scene.mesh(f"bench_lens_frame_{i}", frame, (x, y, top), 20 * i)
     lamps.pendant("workshop", (8.4, 21.4, 3.0), 4.6, "workshop", 4.0, 2.0)
-    lamps.table_lamp("workshop_bench", (9.2, 24.4, Z + 1.06), 0, "workshop", 3.5, 1.0)
+    lamps.table_lamp("workshop_bench", (9.2, 24.6, top), 0, "workshop", 3.5, 1.0)
     doors.switch("workshop", (9.7, 18.6, Z + 1.25), 180, "workshop", "Workshop lamps")
 
 

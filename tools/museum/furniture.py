@@ -10,7 +10,7 @@ from meshkit import Shape, ball, block, joined, lathe, slab, tube
 
 def bench(length=1.6):
     """Upholstered, on turned legs: high enough to crouch behind."""
-    legs = [lathe([(0.0, 0.0), (0.03, 0.0), (0.022, 0.06), (0.035, 0.12), (0.028, 0.30), (0.04, 0.36), (0.0, 0.36)], "oak_dark", 8).moved(x, y)
+    legs = [lathe([(0.03, 0.0), (0.022, 0.06), (0.038, 0.14), (0.028, 0.30), (0.04, 0.36)], "oak_dark", 6).moved(x, y)
             for x in (-length / 2 + 0.1, length / 2 - 0.1) for y in (-0.17, 0.17)]
     return joined(legs + [slab(length, 0.48, 0.07, "oak_dark", 0.012, 0.34), slab(length - 0.02, 0.46, 0.11, "velvet_red", 0.04, 0.40)])
 
@@ -18,27 +18,26 @@ def bench(length=1.6):
 def settee():
     """The round settee of a great gallery: a velvet ring about a back that carries an urn."""
     seat = lathe([(0.0, 0.0), (1.05, 0.0), (1.08, 0.04), (1.05, 0.12), (1.02, 0.14), (1.06, 0.2), (1.06, 0.38), (1.00, 0.44), (0.6, 0.45), (0.0, 0.45)],
-                 "velvet_blue", 40)
-    back = lathe([(0.58, 0.45), (0.52, 0.55), (0.44, 0.95), (0.46, 1.0), (0.40, 1.05), (0.0, 1.05)], "velvet_blue", 40,
+                 "velvet_blue", 32)
+    back = lathe([(0.58, 0.45), (0.52, 0.55), (0.44, 0.95), (0.46, 1.0), (0.40, 1.05), (0.0, 1.05)], "velvet_blue", 32,
                  lambda a, k: 1.0 - 0.05 * abs(math.sin(8 * a)) * (1 if k in (1, 2) else 0))
-    rim = lathe([(0.0, 1.04), (0.44, 1.04), (0.46, 1.07), (0.44, 1.10), (0.0, 1.10)], "gilt", 36)
+    rim = lathe([(0.0, 1.04), (0.44, 1.04), (0.46, 1.07), (0.44, 1.10), (0.0, 1.10)], "gilt", 32)
     return joined([seat, back, rim, statues.urn(0.75).moved(0, 0, 1.10)])
 
 
 def rope_posts(path, closed=False):
     """Brass posts joined by sagging velvet ropes."""
     shape = Shape()
-    post = lathe([(0.0, 0.0), (0.16, 0.0), (0.16, 0.015), (0.05, 0.035), (0.022, 0.06), (0.02, 0.88), (0.035, 0.90), (0.022, 0.93), (0.04, 0.96),
-                  (0.03, 1.0), (0.0, 1.01)], "brass", 14)
+    post = lathe([(0.0, 0.0), (0.16, 0.0), (0.16, 0.02), (0.05, 0.045), (0.028, 0.08), (0.028, 0.90), (0.05, 0.95), (0.03, 1.0), (0.0, 1.01)], "brass", 12)
     for x, y in path:
         shape.add(post.moved(x, y))
     ends = path + path[:1] if closed else path
     for (ax, ay), (bx, by) in zip(ends, ends[1:]):
         sag = []
-        for i in range(13):
-            t = i / 12
+        for i in range(10):
+            t = i / 9
             sag.append((ax + (bx - ax) * t, ay + (by - ay) * t, 0.86 - 0.22 * (1 - (2 * t - 1) ** 2)))
-        shape.add(tube(sag, 0.022, "velvet_red", 8))
+        shape.add(tube(sag, 0.036, "velvet_red", 8))
     return shape
 
 
@@ -81,26 +80,27 @@ def bookcase(width, height, seed):
     z = 0.12
     while z + 0.3 < height - 0.1:
         parts.append(block(-width / 2, -0.35, z, width / 2, 0, z + 0.03, "oak_dark", 0.005))
-        x = -width / 2 + 0.06
+        x, before = -width / 2 + 0.06, None
         while x < width / 2 - 0.12:
-            thick, tall = pick.uniform(0.025, 0.07), pick.uniform(0.20, 0.29)
+            thick, tall = pick.uniform(0.034, 0.085), pick.uniform(0.20, 0.29)
             if pick.random() < 0.07:
-                x += pick.uniform(0.05, 0.18)
+                x, before = x + pick.uniform(0.05, 0.18), None
                 continue
             colour = pick.choice(["book_red", "book_green", "book_blue", "book_tan", "leather", "book_tan"])
             depth = pick.uniform(0.18, 0.23)
-            parts.append(_book(x, x + thick - 0.003, -0.30, -0.30 + depth, z + 0.03, z + 0.03 + tall, colour))
-            x += thick
+            parts.append(_book(x, x + thick - 0.003, -0.30, -0.30 + depth, z + 0.03, z + 0.03 + tall, colour, before or 0.0))
+            x, before = x + thick, tall
         z += 0.36
     return joined(parts)
 
 
-def _book(x0, x1, y0, y1, z0, z1, colour):
-    """Spine, boards and top edge: on a shelf nobody sees the rest."""
+def _book(x0, x1, y0, y1, z0, z1, colour, before):
+    """Spine, boards and top edge: on a shelf nobody sees the rest, nor the board that a book as tall `before` it hides."""
     shape = Shape()
     shape.points = [(x0, y0, z0), (x1, y0, z0), (x1, y0, z1), (x0, y0, z1), (x0, y1, z0), (x1, y1, z0), (x1, y1, z1), (x0, y1, z1)]
     for c, m in (((0, 1, 2, 3), colour), ((4, 0, 3, 7), colour), ((1, 5, 6, 2), colour), ((3, 2, 6, 7), "paper")):
-        shape.face(c, m)
+        if c != (4, 0, 3, 7) or before < z1 - z0:
+            shape.face(c, m)
     return shape
 
 
@@ -110,7 +110,7 @@ def coat_rack(length):
         x = -length / 2 + 0.15 + 0.3 * i
         parts.append(tube([(x, -0.04, 1.74), (x, -0.12, 1.72), (x, -0.15, 1.78)], 0.009, "brass", 8))
         if i % 4 in (1, 2):
-            coat = lathe([(0.02, 0.75), (0.17, 0.78), (0.15, 1.2), (0.17, 1.5), (0.10, 1.66), (0.0, 1.70)], "coat" if i % 3 else "dark_cloth", 18,
+            coat = lathe([(0.02, 0.75), (0.17, 0.78), (0.15, 1.2), (0.17, 1.5), (0.10, 1.66), (0.0, 1.70)], "coat" if i % 3 else "dark_cloth", 12,
                          lambda a, k: 1.0 + 0.10 * math.sin(5 * a) * (k < 3))
             parts.append(coat.scaled(1, 0.55, 1).moved(x, -0.14))
     return joined(parts)
@@ -135,12 +135,12 @@ def hang_picture(name, art, at, turn, width):
     """A gilded frame whose picture faces -y when turned by 0; `at` is its middle, on the wall."""
     import paintings
     height = width * (1.25 if art in paintings.TALL_NAMES else 0.75)
-    shape = mirrors.framed(width, height, "art_" + art, [(0.0, 0.0), (0.0, 0.03), (0.03, 0.035), (0.06, 0.075), (0.10, 0.06), (0.13, 0.03), (0.13, 0.0)])
+    shape = mirrors.framed(width, height, "art_" + art, [(0.0, 0.0), (0.0, 0.025), (0.06, 0.075), (0.10, 0.06), (0.14, 0.02), (0.14, 0.0)])
     shape.add(block(-width / 2, 0.0, -height / 2, width / 2, 0.012, height / 2, "oak_dark", 0.0))
     shape.add(block(-0.14, -0.035, -height / 2 - 0.115, 0.14, -0.02, -height / 2 - 0.06, "brass", 0.004))
     a = math.radians(turn)
     scene.mesh("picture_" + name, shape, (at[0] + 0.02 * math.sin(a), at[1] - 0.02 * math.cos(a), at[2]), turn)
-    return width + 0.26, height + 0.26
+    return width + 0.28, height + 0.28
 
 
 def glass_box(w, d, z0, z1, t=0.008):
@@ -158,7 +158,7 @@ def vitrine(name, at, turn=0.0, width=0.72, top=1.18):
     for x in (-1, 1):
         for y in (-1, 1):
             table.add(block(x * w / 2 - 0.012, y * w / 2 - 0.012, z0, x * w / 2 + 0.012, y * w / 2 + 0.012, top, "brass", 0.003))
-            table.add(lathe([(0.0, 0.10), (0.05, 0.10), (0.035, 0.16), (0.045, 0.3), (0.035, 0.7), (0.05, 0.78), (0.0, 0.8)], "gilt", 14).moved(x * w / 2, y * w / 2))
+            table.add(lathe([(0.0, 0.10), (0.05, 0.10), (0.035, 0.16), (0.045, 0.3), (0.035, 0.7), (0.05, 0.78), (0.0, 0.8)], "gilt", 12).moved(x * w / 2, y * w / 2))
     for a in (0, 90, 180, 270):
         table.add(block(-w / 2 + 0.08, -w / 2 - 0.022, 0.22, w / 2 - 0.08, -w / 2, z0 - 0.16, "oak_dark", 0.012).turned(a))
     scene.mesh(name, table, at, turn)

@@ -9,12 +9,12 @@ FLOORS = (plan.LOW, plan.HIGH)
 
 # the guard's round goes through open arches only: stair, Hall, west gallery, foyer and back. (x, y, z, turn, wait, look)
 ROUND = [
-    ("patrol_foyer_desk", 3.2, -8.6, 0.0, -30, 2.0, False), ("patrol_foyer_east", 6.6, -1.5, 0.0, -90, 3.0, True),
-    ("patrol_stair", 0.0, 4.6, 0.0, 0, 1.0, False), ("patrol_hall_south", 0.0, 9.6, 0.8, 0, 2.0, True),
-    ("patrol_hall_east", 6.2, 13.0, 0.8, 20, 2.0, False), ("patrol_hall_north", 0.0, 17.2, 0.8, 180, 4.0, True),
-    ("patrol_hall_west", -6.6, 15.2, 0.8, 90, 1.0, False), ("patrol_west_north", -10.7, 15.2, 0.8, 180, 2.0, True),
-    ("patrol_west_middle", -10.7, 4.6, 0.0, 180, 1.0, False), ("patrol_west_south", -10.7, -1.5, 0.0, -90, 2.0, True),
-    ("patrol_foyer_west", -6.2, -1.5, 0.0, -90, 1.0, False), ("patrol_foyer_south", -2.4, -9.4, 0.0, 0, 2.0, True),
+    ("patrol_foyer_desk", 3.2, -8.6, 0.0, -30, 1.0, False), ("patrol_foyer_east", 6.6, -1.5, 0.0, -90, 2.0, True),
+    ("patrol_stair", 0.0, 4.6, 0.0, 0, 0.2, False), ("patrol_hall_south", 0.0, 9.6, 0.8, 0, 1.5, True),
+    ("patrol_hall_east", 6.2, 13.0, 0.8, 20, 0.5, False), ("patrol_hall_north", 0.0, 17.2, 0.8, 180, 2.0, True),
+    ("patrol_hall_west", -6.6, 15.2, 0.8, 90, 0.2, False), ("patrol_west_north", -10.7, 15.2, 0.8, 180, 1.0, False),
+    ("patrol_west_middle", -10.7, 4.6, 0.0, 180, 0.2, False), ("patrol_west_south", -10.7, -1.5, 0.0, -90, 1.0, True),
+    ("patrol_foyer_west", -6.2, -1.5, 0.0, -90, 0.2, False), ("patrol_foyer_south", -2.4, -9.4, 0.0, 0, 1.5, True),
 ]
 
 # name: (from, to, horizontal field of view in degrees)
@@ -24,7 +24,7 @@ CAMERAS = {
     "cam_mirrors_north": ((-6.4, 16.9, 2.45), (2.2, 11.0, 2.3), 78), "cam_vitrine": ((1.35, 20.3, 2.35), (-0.5, 22.6, 1.65), 72),
     "cam_gallery": ((-9.5, -6.0, 1.65), (-11.2, 6.0, 2.0), 74), "cam_sculpture": ((10.3, -6.1, 1.65), (10.9, 6.0, 1.8), 74),
     "cam_library": ((-4.7, 19.3, 2.45), (-10.5, 23.6, 2.0), 78), "cam_workshop": ((10.9, 18.9, 2.4), (6.6, 23.6, 1.8), 78),
-    "cam_vestibule": ((2.4, -11.9, 1.65), (-0.6, -15.4, 1.7), 78), "cam_cloakroom": ((-13.4, -7.5, 1.65), (-9.0, -9.6, 1.4), 80),
+    "cam_vestibule": ((2.4, -11.9, 1.65), (-0.6, -15.4, 1.7), 78), "cam_cloakroom": ((-8.9, -7.6, 1.7), (-13.2, -10.2, 1.0), 84),
     "cam_plan": ((0.0, 4.8, 60.0), (0.0, 4.801, 0.0), 50),
 }
 
@@ -46,7 +46,7 @@ def rooms():
 
 def stone():
     """A pebble: a ball dented by three slow waves, 4 cm across."""
-    pebble = meshkit.ball(1.0, "pebble", 18, 12)
+    pebble = meshkit.ball(1.0, "pebble", 10, 6)
 
     def dent(p):
         s = 0.020 * (1.0 + 0.10 * math.sin(3.1 * p[0] + 1.0) + 0.08 * math.sin(4.3 * p[1] + 2.0 * p[2]) - 0.06 * math.cos(5.0 * p[2]))

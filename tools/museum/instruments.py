@@ -9,8 +9,8 @@ from meshkit import Shape, ball, block, joined, lathe, slab, tube
 def telescope():
     """A brass refractor on a wooden tripod, pointing up at 35 degrees towards -y; its eyepiece is 1.3 m high."""
     barrel = lathe([(0.0, -0.75), (0.03, -0.75), (0.03, -0.62), (0.045, -0.60), (0.045, -0.40), (0.062, -0.38), (0.062, 0.10), (0.085, 0.14),
-                    (0.085, 0.80), (0.098, 0.82), (0.098, 0.95), (0.088, 0.95), (0.082, 0.84), (0.0, 0.84)], "brass", 28)
-    bands = joined([lathe([(0.0862, z), (0.094, z + 0.01), (0.094, z + 0.03), (0.0862, z + 0.04)], "gilt", 28) for z in (0.16, 0.45, 0.74)])
+                    (0.085, 0.80), (0.098, 0.82), (0.098, 0.95), (0.088, 0.95), (0.082, 0.84), (0.0, 0.84)], "brass", 20)
+    bands = joined([lathe([(0.0862, z), (0.094, z + 0.01), (0.094, z + 0.03), (0.0862, z + 0.04)], "gilt", 20) for z in (0.16, 0.45, 0.74)])
     tube_up = joined([barrel, bands]).turned(55, "x").moved(0, 0, 1.55)
     head = joined([lathe([(0.0, 1.22), (0.07, 1.22), (0.07, 1.30), (0.035, 1.34), (0.03, 1.48), (0.0, 1.5)], "brass", 20),
                    tube([(-0.10, 0, 1.55), (0.10, 0, 1.55)], 0.03, "brass", 12)])
@@ -22,7 +22,7 @@ def telescope():
 
 def grinder():
     """A treadle-driven wheel for grinding lenses: flywheel, frame, and the little bowl on its spindle."""
-    rim = lathe([(0.50, -0.035), (0.57, -0.045), (0.57, 0.045), (0.50, 0.035), (0.50, -0.035)], "iron", 44)
+    rim = lathe([(0.50, -0.035), (0.57, -0.045), (0.57, 0.045), (0.50, 0.035), (0.50, -0.035)], "iron", 32)
     spokes = [tube([(0, 0, 0), (0.51 * math.cos(a), 0.51 * math.sin(a), 0)], [0.03, 0.018], "iron", 8) for a in (k * math.pi / 3 for k in range(6))]
     hub = lathe([(0.0, -0.09), (0.06, -0.09), (0.07, 0.0), (0.06, 0.09), (0.0, 0.09)], "brass", 18)
     wheel = joined([rim, hub] + spokes).turned(90, "x").moved(0, 0, 0.66)
@@ -36,8 +36,8 @@ def grinder():
 def globe():
     legs = [tube([(0.30 * math.cos(a), 0.30 * math.sin(a), 0.0), (0.44 * math.cos(a), 0.44 * math.sin(a), 0.60), (0.50 * math.cos(a), 0.50 * math.sin(a), 0.90)], [0.025, 0.02, 0.03], "oak_dark", 8)
             for a in (math.pi / 4 + k * math.pi / 2 for k in range(4))]
-    return joined(legs + [ball(0.44, "marble_green", 32, 20).moved(0, 0, 0.94), statues._ring(0.47, 0.012, 90, 20).moved(0, 0, 0.94),
-                          lathe([(0.455, 0.90), (0.56, 0.90), (0.57, 0.93), (0.56, 0.95), (0.455, 0.95), (0.455, 0.90)], "oak_dark", 40),
+    return joined(legs + [ball(0.44, "marble_green", 24, 14).moved(0, 0, 0.94), statues._ring(0.47, 0.012, 90, 20).moved(0, 0, 0.94),
+                          lathe([(0.455, 0.90), (0.56, 0.90), (0.57, 0.93), (0.56, 0.95), (0.455, 0.95), (0.455, 0.90)], "oak_dark", 32),
                           tube([(0.3, 0, 0.12), (-0.3, 0, 0.12)], 0.018, "oak_dark", 6), tube([(0, 0.3, 0.12), (0, -0.3, 0.12)], 0.018, "oak_dark", 6)])
 
 
@@ -56,13 +56,13 @@ def fireplace():
         parts.append(tube([(x - 0.24, -0.2, z - 0.02), (x + 0.24, -0.17 - 0.05 * i, z + 0.03)], 0.05, "iron", 10).turned(0))
     clock = [block(-0.16, -0.26, 1.27, 0.16, -0.10, 1.36, "marble_black", 0.015), lathe([(0.0, -0.05), (0.13, -0.05), (0.14, 0.0), (0.13, 0.05), (0.11, 0.06), (0.0, 0.06)], "gilt", 28).turned(90, "x").moved(0, -0.18, 1.49),
              lathe([(0.0, 0.0), (0.105, 0.0)], "paper", 24).turned(90, "x").moved(0, -0.243, 1.49), tube([(0, -0.248, 1.49), (0.0, -0.248, 1.565)], 0.005, "iron", 6), tube([(0, -0.248, 1.49), (0.05, -0.248, 1.47)], 0.006, "iron", 6)]
-    embers = joined([ball(0.06, "ember", 10, 6).scaled(1.4, 1, 0.5).moved(-0.18 + 0.12 * i, -0.19 + 0.02 * (i % 2), 0.115) for i in range(4)])
+    embers = joined([ball(0.06, "ember", 8, 4).scaled(1.4, 1, 0.5).moved(-0.18 + 0.12 * i, -0.19 + 0.02 * (i % 2), 0.115) for i in range(4)])
     return joined(parts + clock), embers
 
 
 def curtain(width, height, material="velvet_red", pull=-1):
     """A drape hanging along x from a brass rod, gathered at two fifths of its height towards one side."""
-    shape, columns, rows = Shape(), 40, 14
+    shape, columns, rows = Shape(), 35, 10
     for j in range(rows + 1):
         t = j / rows                      # 0 at the floor
         z = 0.02 + (height - 0.02) * t
@@ -91,7 +91,7 @@ def torchere():
 
 def tondo(radius):
     """A round relief for a high wall behind it: a laurel moulding and a star of gilt rays on green marble."""
-    ring = lathe([(radius + 0.16, -0.004), (radius + 0.14, 0.03), (radius + 0.10, 0.06), (radius + 0.02, 0.05), (radius, -0.004)], "stucco", 24)
+    ring = lathe([(radius + 0.16, -0.004), (radius + 0.12, 0.05), (radius + 0.03, 0.06), (radius, -0.004)], "stucco", 24)
     disc = lathe([(radius + 0.01, 0.012), (0.0, 0.012)], "marble_green", 24)
     rays = []
     for i in range(12):
@@ -101,5 +101,5 @@ def tondo(radius):
         for c in ((0, 1, 3), (1, 2, 3), (2, 0, 3)):
             ray.face(list(c), "gilt")
         rays.append(ray.turned(math.degrees(a)))
-    heart = ball(0.17 * radius, "gilt", 10, 6).scaled(1, 1, 0.5).moved(0, 0, 0.02)
+    heart = ball(0.17 * radius, "gilt", 10, 4).scaled(1, 1, 0.5).moved(0, 0, 0.02)
     return joined([ring, disc, heart] + rays).turned(90, "x")

@@ -12,8 +12,8 @@ from meshkit import ball, block, joined, lathe, tube
 def _shade(r0, r1, height, outside="brass"):
     """An open cone of thin metal, its mouth (radius r1) at z = 0, and apart from it the lit inside."""
     t = 0.004
-    metal = lathe([(r1, 0.0), (r1 + t, 0.002), ((r0 + r1) * 0.5 + t + 0.01, height * 0.6), (r0 + t, height), (0.0, height + 0.012)], outside, 24)
-    inside = lathe([(0.0, height - 0.002), (r0, height - 0.006), ((r0 + r1) * 0.5 + 0.01, height * 0.6), (r1, 0.0)], "enamel_lit", 24)
+    metal = lathe([(r1, 0.0), (r1 + t, 0.002), ((r0 + r1) * 0.5 + t + 0.01, height * 0.6), (r0 + t, height), (0.0, height + 0.012)], outside, 18)
+    inside = lathe([(0.0, height - 0.002), (r0, height - 0.006), ((r0 + r1) * 0.5 + 0.01, height * 0.6), (r1, 0.0)], "enamel_lit", 18)
     return metal, inside
 
 
@@ -44,9 +44,9 @@ def pendant(name, at, ceiling, group, pool=2.5, reach=3.0, on=True):
 
     def make():
         metal, inside = _shade(0.05, 0.24, 0.17)
-        metal.add(tube([(0, 0, 0.17), (0, 0, drop - 0.02)], 0.009, "brass", 8), ball(0.03, "brass", 12, 8).moved(0, 0, 0.20),
+        metal.add(tube([(0, 0, 0.17), (0, 0, drop - 0.02)], 0.012, "brass", 6), ball(0.03, "brass", 10, 6).moved(0, 0, 0.20),
                   lathe([(0.0, drop - 0.06), (0.03, drop - 0.055), (0.075, drop - 0.01), (0.075, drop), (0.0, drop)], "brass", 16),
-                  lathe([(0.246, -0.004), (0.252, 0.0), (0.246, 0.008), (0.238, 0.004), (0.246, -0.004)], "brass", 24))
+                  lathe([(0.246, -0.004), (0.252, 0.0), (0.246, 0.008), (0.238, 0.004), (0.246, -0.004)], "brass", 18))
         return metal, inside
 
     _place(f"pendant{round(drop * 100)}", make, name, at, 0, group, on)
@@ -57,8 +57,8 @@ def sconce(name, at, turn, group, pool=1.2, reach=2.5, on=True):
     """On a wall that faces -y when turned by 0: a scrolled arm and a shade open downwards and a little upwards."""
     def make():
         arm = [(0, -0.02, 0.0), (0, -0.06, -0.06), (0, -0.13, -0.08), (0, -0.19, -0.03), (0, -0.20, 0.05), (0, -0.20, 0.10)]
-        metal = joined([lathe([(0.0, 0.0), (0.06, 0.0), (0.055, 0.015), (0.03, 0.03), (0.0, 0.035)], "brass", 16).scaled(1, 1.6, 1).turned(90, "x"),
-                        tube(arm, 0.009, "brass", 8)])
+        metal = joined([lathe([(0.0, 0.0), (0.06, 0.0), (0.055, 0.015), (0.03, 0.03), (0.0, 0.035)], "brass", 12).scaled(1, 1.6, 1).turned(90, "x"),
+                        tube(arm, 0.012, "brass", 6)])
         cone, inside = _shade(0.045, 0.12, 0.15)
         metal.add(cone.moved(0, -0.20, -0.02))
         return metal, inside.moved(0, -0.20, -0.02)
@@ -71,8 +71,8 @@ def sconce(name, at, turn, group, pool=1.2, reach=2.5, on=True):
 def table_lamp(name, at, turn, group, pool=2.0, reach=1.0, on=True):
     """A banker's lamp standing on `at`: brass foot, green enamel trough."""
     def make():
-        metal = joined([lathe([(0.0, 0.0), (0.10, 0.0), (0.10, 0.015), (0.06, 0.03), (0.015, 0.045), (0.012, 0.30), (0.02, 0.32), (0.0, 0.34)], "brass", 20),
-                        tube([(-0.15, 0, 0.34), (0.15, 0, 0.34)], 0.007, "brass", 8), ball(0.016, "brass", 10, 6).moved(0, 0, 0.40)])
+        metal = joined([lathe([(0.0, 0.0), (0.10, 0.0), (0.10, 0.015), (0.06, 0.03), (0.015, 0.045), (0.012, 0.30), (0.02, 0.32), (0.0, 0.34)], "brass", 16),
+                        tube([(-0.15, 0, 0.34), (0.15, 0, 0.34)], 0.007, "brass", 8), ball(0.016, "brass", 8, 5).moved(0, 0, 0.40)])
         outer, inner = [], []
         for i in range(9):
             a = math.pi * (i / 8.0)
@@ -100,14 +100,14 @@ def lantern(name, at, ceiling, group, pool=1.2, reach=3.0, on=True):
 
     def make():
         ring = [(0.155 * math.cos(i * math.pi / 12), 0.155 * math.sin(i * math.pi / 12), 0) for i in range(24)]
-        metal = joined([tube(ring, 0.008, "brass", 6, True), tube([(0, 0, 0.19), (0, 0, drop)], 0.010, "brass", 8),
+        metal = joined([tube(ring, 0.012, "brass", 6, True), tube([(0, 0, 0.19), (0, 0, drop)], 0.010, "brass", 8),
                         lathe([(0.0, 0.12), (0.08, 0.125), (0.06, 0.16), (0.02, 0.19), (0.0, 0.2)], "brass", 16),
                         lathe([(0.0, -0.21), (0.012, -0.20), (0.02, -0.17), (0.05, -0.14), (0.0, -0.135)], "brass", 12),
                         lathe([(0.0, drop - 0.06), (0.03, drop - 0.055), (0.075, drop - 0.01), (0.075, drop), (0.0, drop)], "brass", 16)])
         for k in range(4):
             a = math.pi / 2 * k
-            bow = [(0.16 * math.sin(t) * math.cos(a), 0.16 * math.sin(t) * math.sin(a), 0.16 * math.cos(t)) for t in [math.pi * j / 10 for j in range(1, 10)]]
-            metal.add(tube(bow, 0.006, "brass", 6))
+            bow = [(0.16 * math.sin(t) * math.cos(a), 0.16 * math.sin(t) * math.sin(a), 0.16 * math.cos(t)) for t in [math.pi * j / 8 for j in range(1, 8)]]
+            metal.add(tube(bow, 0.010, "brass", 5))
         return metal, None
 
     _place(f"lantern{round(drop * 100)}", make, name, at, 0, group, on)
@@ -117,9 +117,9 @@ def lantern(name, at, ceiling, group, pool=1.2, reach=3.0, on=True):
 def chandelier(name, at, ceiling, group, pool=2.0, reach=4.0):
     """A great ring of brass arms with candle bulbs round one opal globe. The globe is the lamp, the candles glow."""
     drop = ceiling - at[2]
-    big = [(0.95 * math.cos(i * math.pi / 24), 0.95 * math.sin(i * math.pi / 24), -0.05) for i in range(48)]
-    small = [(0.5 * math.cos(i * math.pi / 16), 0.5 * math.sin(i * math.pi / 16), 0.35) for i in range(32)]
-    metal = joined([tube(big, 0.022, "brass", 8, True), tube(small, 0.016, "brass", 8, True), tube([(0, 0, 0.2), (0, 0, drop)], 0.018, "brass", 8),
+    big = [(0.95 * math.cos(i * math.pi / 18), 0.95 * math.sin(i * math.pi / 18), -0.05) for i in range(36)]
+    small = [(0.5 * math.cos(i * math.pi / 12), 0.5 * math.sin(i * math.pi / 12), 0.35) for i in range(24)]
+    metal = joined([tube(big, 0.030, "brass", 8, True), tube(small, 0.022, "brass", 6, True), tube([(0, 0, 0.2), (0, 0, drop)], 0.018, "brass", 8),
                     lathe([(0.0, 0.19), (0.09, 0.2), (0.12, 0.26), (0.05, 0.34), (0.04, 0.5), (0.09, 0.56), (0.03, 0.66), (0.0, 0.66)], "brass", 20),
                     lathe([(0.0, drop - 0.12), (0.06, drop - 0.11), (0.2, drop - 0.02), (0.2, drop), (0.0, drop)], "brass", 20)])
     candles = meshkit.Shape()
@@ -127,9 +127,9 @@ def chandelier(name, at, ceiling, group, pool=2.0, reach=4.0):
         for i in range(count):
             a = 2 * math.pi * i / count
             x, y = ring * math.cos(a), ring * math.sin(a)
-            metal.add(tube([(0.07 * math.cos(a), 0.07 * math.sin(a), 0.28 if ring > 0.6 else 0.5), (x * 0.5, y * 0.5, z - 0.02 if ring > 0.6 else z + 0.02), (x, y, z)], 0.011, "brass", 6),
-                      lathe([(0.0, z + 0.02), (0.05, z + 0.03), (0.055, z + 0.045), (0.016, z + 0.05), (0.014, z + 0.16), (0.0, z + 0.16)], "gilt", 12).moved(x, y))
-            candles.add(lathe([(0.0, z + 0.16), (0.018, z + 0.185), (0.014, z + 0.22), (0.0, z + 0.255)], "candle", 8).moved(x, y))
+            metal.add(tube([(0.07 * math.cos(a), 0.07 * math.sin(a), 0.28 if ring > 0.6 else 0.5), (x * 0.5, y * 0.5, z - 0.02 if ring > 0.6 else z + 0.02), (x, y, z)], 0.015, "brass", 5),
+                      lathe([(0.0, z + 0.02), (0.06, z + 0.045), (0.018, z + 0.055), (0.016, z + 0.16), (0.0, z + 0.16)], "gilt", 8).moved(x, y))
+            candles.add(lathe([(0.0, z + 0.16), (0.018, z + 0.185), (0.014, z + 0.22), (0.0, z + 0.255)], "candle", 6).moved(x, y))
     palette.MATERIALS["candle"] = palette._m("glass", (0, 0, 0), 1.0, glow=(palette.WARM, 9.0))
     scene.mesh("chandelier_" + name, metal, at)
     scene.mesh("candles_" + name, candles, at, kind="glow", group=group)

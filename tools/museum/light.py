@@ -26,10 +26,10 @@ def spot_intensity(irradiance, distance):
 
 
 def bulb(name, at, irradiance, distance, group, radius=0.04, colour=palette.WARM, on=True):
-    """A glowing ball whose light at `distance` is `irradiance`."""
+    """A glowing ball whose light at `distance` is `irradiance`; without a `group` no switch turns it off."""
     material = palette.lamp_material("bulb_" + name, colour, round(ball_radiance(irradiance, distance, radius), 3))
     return scene.mesh("bulb_" + name, meshkit.ball(radius, material, 12, 8), at, kind="lamp", shape="sphere",
-                      group=group, **off_unless(on))
+                      **({"group": group} if group else {}), **off_unless(on))
 
 
 def off_unless(on):
@@ -81,7 +81,7 @@ def stars():
     pick = random.Random(9)
     shape = meshkit.Shape()
     for x0, y0, z0, x1, y1, z1 in plan.NIGHTS.values():
-        for _ in range(int((x1 - x0) * (y1 - y0) * 0.9) + 30):
+        for _ in range(int((x1 - x0) * (y1 - y0) * 0.7) + 24):
             side, r = pick.randrange(4), pick.uniform(0.008, 0.022)
             u, z = pick.random(), z0 + (z1 - z0) * (1 - pick.random() ** 2) * 0.95
             x, y = ((x0 + 0.03, y0 + (y1 - y0) * u), (x1 - 0.03, y0 + (y1 - y0) * u), (x0 + (x1 - x0) * u, y0 + 0.03), (x0 + (x1 - x0) * u, y1 - 0.03))[side]

@@ -14,6 +14,7 @@ class Shape:
     def __init__(self):
         self.points = []  # (x, y, z)
         self.faces = []   # (corner indices, material, corner uvs or None)
+        self.normals = {}  # of points whose true normal is known: index -> unit vector
 
     def face(self, corners, material, uvs=None):
         self.faces.append((tuple(corners), material, uvs))
@@ -22,17 +23,22 @@ class Shape:
         for other in others:
             base = len(self.points)
             self.points += other.points
+            self.normals.update({i + base: n for i, n in other.normals.items()})
             self.faces += [(tuple(i + base for i in c), m, uv) for c, m, uv in other.faces]
         return self
 
     def mapped(self, change):
+        assert not self.normals, "a shape with normals can only be moved"
         out = Shape()
         out.points = [change(p) for p in self.points]
         out.faces = list(self.faces)
         return out
 
     def moved(self, x=0.0, y=0.0, z=0.0):
-        return self.mapped(lambda p: (p[0] + x, p[1] + y, p[2] + z))
+        out = Shape()
+        out.points = [(p[0] + x, p[1] + y, p[2] + z) for p in self.points]
+        out.faces, out.normals = list(self.faces), dict(self.normals)
+        return out
 
     def scaled(self, x, y=None, z=None):
         y, z = (x, x) if y is None else (y, z)
@@ -54,7 +60,7 @@ def joined(shapes):
 def block(x0, y0, z0, x1, y1, z1, material, bevel=0.01):
     """A box whose twelve edges are cut off at 45 degrees: no edge in the museum is a knife's."""
     b = min(bevel, 0.45 * min(x1 - x0, y1 - y0, z1 - z0))
-    b = 0.0 if b < 0.0045 else b  # too fine to be seen, and four times the triangles
+    b = 0.0 if b < 0.0085 else b  # finer than a pixel two metres off, and four times the triangles
     low, high = (x0, y0, z0), (x1, y1, z1)
     shape, index = Shape(), {}
     signs = [(i, j, k) for i in (0, 1) for j in (0, 1) for k in (0, 1)]
@@ -266,4 +272,6 @@ def to_mesh(shape, name, smooth_deg=35.0):
     mesh.use_auto_smooth = True
     mesh.auto_smooth_angle = math.radians(smooth_deg)
     mesh.validate()
+    if shape.normals:  # a zero leaves a corner its own
+        mesh.normals_split_custom_set([shape.normals.get(loop.vertex_index, (0.0, 0.0, 0.0)) for loop in mesh.loops])
     return mesh

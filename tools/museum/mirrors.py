@@ -7,7 +7,7 @@ import plan
 import scene
 from meshkit import ball, block, joined, lathe, picture, sweep, tube
 
-FRAME = [(0.0, 0.0), (0.0, 0.05), (0.03, 0.065), (0.07, 0.06), (0.10, 0.035), (0.12, 0.04), (0.12, 0.0)]
+FRAME = [(0.0, 0.0), (0.0, 0.035), (0.045, 0.07), (0.09, 0.055), (0.13, 0.02), (0.13, 0.0)]
 
 
 def framed(width, height, material, profile=FRAME, frame="gilt", scale=1.0):
@@ -20,8 +20,8 @@ def framed(width, height, material, profile=FRAME, frame="gilt", scale=1.0):
 
 def _crest(width):
     """A small gilded crown for the top of a frame."""
-    return joined([block(-0.22, -0.05, 0, 0.22, 0, 0.05, "gilt", 0.015), ball(0.09, "gilt", 14, 8).scaled(1, 0.4, 1).moved(0, -0.02, 0.11),
-                   ball(0.06, "gilt", 12, 8).scaled(1.4, 0.4, 0.8).moved(-0.15, -0.02, 0.08), ball(0.06, "gilt", 12, 8).scaled(1.4, 0.4, 0.8).moved(0.15, -0.02, 0.08)])
+    return joined([block(-0.22, -0.05, 0, 0.22, 0, 0.05, "gilt", 0.015), ball(0.10, "gilt", 12, 6).scaled(1, 0.4, 1).moved(0, -0.02, 0.11),
+                   ball(0.06, "gilt", 10, 6).scaled(1.4, 0.4, 0.8).moved(-0.15, -0.02, 0.08), ball(0.06, "gilt", 10, 6).scaled(1.4, 0.4, 0.8).moved(0.15, -0.02, 0.08)])
 
 
 def hang():
@@ -47,7 +47,7 @@ def _screens(floor):
     pane.add(block(-0.86, 0.0, -1.05, 0.86, 0.03, 1.05, "oak_dark", 0.005))
     leaf = meshkit.to_mesh(pane, "screen_leaf")
     foot = joined([block(-0.86, -0.16, 0.0, 0.86, 0.16, 0.08, "oak_dark", 0.02), block(-0.9, -0.05, 0.05, -0.84, 0.05, 2.25, "gilt", 0.015),
-                   block(0.84, -0.05, 0.05, 0.9, 0.05, 2.25, "gilt", 0.015), ball(0.06, "gilt", 14, 8).moved(-0.87, 0, 2.30), ball(0.06, "gilt", 14, 8).moved(0.87, 0, 2.30)])
+                   block(0.84, -0.05, 0.05, 0.9, 0.05, 2.25, "gilt", 0.015), ball(0.06, "gilt", 10, 6).moved(-0.87, 0, 2.30), ball(0.06, "gilt", 10, 6).moved(0.87, 0, 2.30)])
     foot = meshkit.to_mesh(foot, "screen_foot")
     for name, x, y, turn in (("a", -4.6, 14.0, 30), ("b", 4.4, 11.2, 35), ("c", -4.2, 10.6, -50)):
         scene.mesh(f"screen_{name}", foot, (x, y, floor), turn)
@@ -64,10 +64,9 @@ def _set_off(x, y, z, turn):
 def _turning(floor):
     pane = framed(0.95, 1.7, "mirror", scale=0.7, frame="brass").moved(0, 0, 1.22)
     pane.add(block(-0.53, 0.002, 0.32, 0.53, 0.03, 2.12, "oak_dark", 0.008),
-             lathe([(0.0, 0.0), (0.36, 0.0), (0.36, 0.03), (0.22, 0.07), (0.06, 0.12), (0.045, 0.22), (0.07, 0.26), (0.05, 0.34), (0.0, 0.34)], "brass", 32),
+             lathe([(0.0, 0.0), (0.36, 0.0), (0.36, 0.03), (0.22, 0.07), (0.06, 0.12), (0.045, 0.22), (0.07, 0.26), (0.05, 0.34), (0.0, 0.34)], "brass", 24),
              ball(0.05, "brass", 14, 8).moved(0, 0.015, 2.17))
-    pane.add(tube([(-0.62, 0.02, 0.9), (-0.62, 0.02, 1.2)], 0.014, "brass", 8), tube([(-0.62, 0.02, 0.9), (-0.52, 0.02, 0.9)], 0.010, "brass", 8),
-             tube([(-0.62, 0.02, 1.2), (-0.52, 0.02, 1.2)], 0.010, "brass", 8))
+    pane.add(tube([(-0.52, 0.02, 0.9), (-0.62, 0.02, 0.9), (-0.62, 0.02, 1.2), (-0.52, 0.02, 1.2)], 0.016, "brass", 6))
     mesh = meshkit.to_mesh(pane, "turning_mirror")
     scene.mesh("mirror_turn_a", mesh, (-2.3, 9.9, floor), -135, kind="mirror", turn_step_deg=22.5, title="Turning mirror")
     scene.mesh("mirror_turn_b", mesh, (2.6, 16.2, floor), 45, kind="mirror", turn_step_deg=22.5, title="Turning mirror")

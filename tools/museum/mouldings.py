@@ -9,13 +9,13 @@ import scene
 from meshkit import Shape, block, extruded, joined, lathe, sweep
 
 # (out of the wall, up); they begin 4 mm inside the wall, floor or ceiling they lie on, so that no two faces share a plane
-SKIRTING = [(-0.004, -0.004), (-0.004, 0.22), (0.010, 0.22), (0.018, 0.20), (0.018, 0.175), (0.03, 0.165), (0.03, -0.004)]
-DADO = [(-0.004, -0.05), (-0.004, 0.04), (0.03, 0.04), (0.045, 0.02), (0.045, 0.0), (0.02, -0.015), (0.015, -0.05)]
-PICTURE_RAIL = [(-0.004, -0.04), (-0.004, 0.03), (0.025, 0.03), (0.03, 0.01), (0.012, -0.04)]
-CORNICE = [(-0.004, -0.42), (-0.004, 0.004), (0.34, 0.004), (0.34, -0.05), (0.30, -0.06), (0.27, -0.10), (0.20, -0.14), (0.16, -0.21),
-           (0.15, -0.26), (0.09, -0.28), (0.07, -0.34), (0.03, -0.36), (0.03, -0.42)]
-SMALL_CORNICE = [(out * 0.55, up * 0.55) for out, up in CORNICE]
-ARCHITRAVE = [(0.0, -0.004), (0.16, -0.004), (0.16, 0.045), (0.145, 0.055), (0.13, 0.045), (0.05, 0.032), (0.04, 0.022), (0.0, 0.022)]
+# Few and broad: a step of a centimetre is less than a pixel across a room, and glitters.
+SKIRTING = [(-0.004, -0.004), (-0.004, 0.22), (0.012, 0.22), (0.034, 0.18), (0.034, -0.004)]
+DADO = [(-0.004, -0.06), (-0.004, 0.05), (0.03, 0.05), (0.055, 0.02), (0.05, -0.015), (0.008, -0.06)]
+PICTURE_RAIL = [(-0.004, -0.05), (-0.004, 0.035), (0.02, 0.035), (0.04, 0.0), (0.008, -0.05)]
+CORNICE = [(-0.004, -0.42), (-0.004, 0.004), (0.38, 0.004), (0.28, -0.07), (0.19, -0.13), (0.15, -0.24), (0.08, -0.28), (0.05, -0.34), (0.03, -0.42)]
+SMALL_CORNICE = [(out * 0.6, up * 0.6) for out, up in CORNICE if out not in (0.28, 0.08)]
+ARCHITRAVE = [(0.0, -0.004), (0.16, -0.004), (0.16, 0.05), (0.125, 0.055), (0.10, 0.032), (0.0, 0.022)]
 
 # room: (skirting, dado height or 0 with its panels' material, picture rail height or 0, cornice)
 TRIM = {
@@ -60,9 +60,9 @@ def trim_rooms():
         wood = "oak_dark" if skirting == "oak_dark" else "stucco" if panel in ("", "stucco") else panel
         for path, closed in plan.wall_runs(name, z0 + 0.1, 0.15):
             shape.add(_run(SKIRTING, path, skirting, z0, closed))
-            if dado:
-                shape.add(_run(DADO, path, panel, z0 + dado, closed))
-                shape.add(_panels(path, z0, dado, closed, panel))
+        for path, closed in plan.wall_runs(name, z0 + dado - 0.02, 0.15) if dado else ():  # none over a flight of steps
+            shape.add(_run(DADO, path, panel, z0 + dado, closed))
+            shape.add(_panels(path, z0, dado, closed, panel))
         if rail:
             for path, closed in plan.wall_runs(name, z0 + rail):
                 shape.add(_run(PICTURE_RAIL, path, wood, z0 + rail, closed))
@@ -150,6 +150,11 @@ def steps_and_ramp():
     scene.mesh("ramp_east", ramp)
 
 
+def _beam(path, z, depth):
+    """A beam under a ceiling along a straight plan path, its lower edges cut off."""
+    return sweep([(-0.14, z + 0.002), (-0.14, z - depth + 0.05), (-0.09, z - depth), (0.09, z - depth), (0.14, z - depth + 0.05), (0.14, z + 0.002)], path, "stucco")
+
+
 def coffers(name, xs, ys, z, hole=None):
     """Beams along the plan lines xs and ys under a ceiling, a rosette in every coffer; none over the skylight `hole`."""
     shape = Shape()
@@ -157,16 +162,16 @@ def coffers(name, xs, ys, z, hole=None):
     def in_hole(x, y):
         return hole and hole[0] < x < hole[3] and hole[1] < y < hole[4]
 
-    rosette = lathe([(0.0, -0.10), (0.05, -0.10), (0.07, -0.06), (0.16, -0.05), (0.2, 0.0)], "gilt", 12,
-                    lambda a, k: 1.0 + (0.18 * math.cos(6 * a) if k >= 3 else 0.0))
+    rosette = lathe([(0.0, -0.10), (0.06, -0.09), (0.17, -0.05), (0.21, 0.0)], "gilt", 12,
+                    lambda a, k: 1.0 + (0.18 * math.cos(6 * a) if k >= 2 else 0.0))
     for i, x in enumerate(xs):
         for y0, y1 in zip(ys, ys[1:]):
             if not in_hole(x, (y0 + y1) / 2):
-                shape.add(block(x - 0.14, y0 + 0.1, z - 0.26, x + 0.14, y1 - 0.1, z, "stucco", 0.05))
+                shape.add(_beam([(x, y0 + 0.1), (x, y1 - 0.1)], z, 0.26))
     for j, y in enumerate(ys):
         for x0, x1 in zip(xs, xs[1:]):
             if not in_hole((x0 + x1) / 2, y):
-                shape.add(block(x0 - 0.14, y - 0.14, z - 0.27, x1 + 0.14, y + 0.14, z, "stucco", 0.05))
+                shape.add(_beam([(x0 - 0.14, y), (x1 + 0.14, y)], z, 0.27))
     for x0, x1 in zip(xs, xs[1:]):
         for y0, y1 in zip(ys, ys[1:]):
             if in_hole((x0 + x1) / 2, (y0 + y1) / 2):
@@ -200,14 +205,14 @@ def column(height, radius, shaft="marble_rose", fluted=False):
     """A column with an Attic base, a swelling shaft and a gilded bell capital."""
     base = joined([meshkit.slab(radius * 2.9, radius * 2.9, 0.16, "marble_white", 0.02),
                    lathe([(0.0, 0.16), (radius * 1.38, 0.16), (radius * 1.42, 0.21), (radius * 1.36, 0.26), (radius * 1.18, 0.28),
-                          (radius * 1.14, 0.33), (radius * 1.22, 0.36), (radius * 1.24, 0.40), (radius * 1.02, 0.44), (0.0, 0.44)],
-                         "marble_white", 22)])
+                          (radius * 1.14, 0.33), (radius * 1.24, 0.38), (radius * 1.02, 0.44), (0.0, 0.44)],
+                         "marble_white", 18)])
     top = height - 0.55
-    levels = 7
+    levels = 4
     profile = [(radius * (1.0 + 0.03 * math.sin(math.pi * t) - 0.14 * t * t), 0.44 + (top - 0.44) * t)
                for t in [i / levels for i in range(levels + 1)]]
     grooves = (lambda a, k: 1.0 - 0.055 * abs(math.sin(10 * a))) if fluted else None
-    body = lathe(profile, shaft, 40 if fluted else 28, grooves)
+    body = lathe(profile, shaft, 40 if fluted else 24, grooves)
     r = radius * 0.86
     bell = lathe([(r, top), (r * 1.10, top + 0.02), (r * 1.10, top + 0.05), (r * 1.0, top + 0.07), (r * 1.04, top + 0.25),
                   (r * 1.25, top + 0.36), (r * 1.55, top + 0.42), (0.0, top + 0.42)], "gilt", 16,
@@ -219,7 +224,7 @@ def column(height, radius, shaft="marble_rose", fluted=False):
 def pilaster(height, width, material="marble_green", panel="marble_white"):
     """Flat against a wall behind it (at y = 0), standing out to -y."""
     w = width / 2
-    return joined([block(-w - 0.05, -0.16, 0, w + 0.05, 0, 0.3, "marble_black", 0.02), block(-w, -0.1, 0.3, w, 0, height - 0.4, material, 0.015),
+    return joined([block(-w - 0.05, -0.16, 0, w + 0.05, 0, 0.3, "marble_black", 0.02), block(-w, -0.1, 0.3, w, 0, height - 0.4, material, 0.0),
                    meshkit.raised_panel(-w + 0.07, 0.5, w - 0.07, height - 0.6, -0.1, 0.018, 0.025, panel),
                    block(-w - 0.04, -0.15, height - 0.4, w + 0.04, 0, height - 0.3, "gilt", 0.02),
                    block(-w - 0.08, -0.19, height - 0.3, w + 0.08, 0, height, "gilt", 0.03)])
@@ -240,8 +245,8 @@ def ribs(name, places, spring, crown):
         for x, side in ((x0, 1), (x1, -1)):
             a, b = sorted((x, x + side * 0.10))
             c, d = sorted((x, x + side * 0.16))
-            shape.add(block(a, y - 0.17, floor, b, y + 0.17, spring, "stucco", 0.012), block(c, y - 0.21, floor, d, y + 0.21, floor + 0.28, "marble_black", 0.02),
-                      block(c, y - 0.21, spring - 0.10, d, y + 0.21, spring, "stucco", 0.025), block(c, y - 0.19, spring - 0.20, d - 0.02 * (side > 0), y + 0.19, spring - 0.17, "gilt", 0.012))
+            shape.add(block(a, y - 0.17, floor, b, y + 0.17, spring, "stucco", 0.0), block(c, y - 0.21, floor, d, y + 0.21, floor + 0.28, "marble_black", 0.02),
+                      block(c, y - 0.21, spring - 0.10, d, y + 0.21, spring, "stucco", 0.025), block(c, y - 0.19, spring - 0.20, d - 0.02 * (side > 0), y + 0.19, spring - 0.17, "gilt", 0.0))
     scene.mesh("ribs_" + name, shape)
 
 

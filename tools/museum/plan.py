@@ -133,7 +133,7 @@ def shell_mesh():
     kit = bmesh.new()
     kit.from_mesh(mesh)
     bmesh.ops.dissolve_limit(kit, angle_limit=0.001, verts=kit.verts, edges=kit.edges, delimit={"MATERIAL"})
-    bmesh.ops.triangulate(kit, faces=kit.faces, quad_method="FIXED", ngon_method="EAR_CLIP")
+    bmesh.ops.triangulate(kit, faces=kit.faces, quad_method="BEAUTY", ngon_method="BEAUTY")
     kit.to_mesh(mesh)
     kit.free()
     _map_from_world(mesh)

@@ -78,13 +78,13 @@ def bust(kind):
         s.melt(hair, 0.008)
         s.melt(s.egg((0, 0.135, 0.64), (0.048, 0.046, 0.048)) + 0.004 * np.sin(s.z * 210), 0.012)
         s.melt(s.egg((0, -0.045, 0.245), (0.13, 0.10, 0.085)), 0.05)
-    carved = s.hewn("bust_" + kind, "statuary", 1900)
+    carved = s.hewn("bust_" + kind, "statuary", 2100 if kind == "sage" else 1550)
     socle = lathe([(0.0, 0.0), (0.125, 0.0), (0.125, 0.025), (0.11, 0.035), (0.07, 0.055), (0.058, 0.085), (0.062, 0.115), (0.095, 0.15),
-                   (0.10, 0.17), (0.0, 0.18)], "marble_black", 18)
+                   (0.10, 0.17), (0.0, 0.18)], "marble_black", 14)
     return joined([carved, socle])
 
 
-def lady(triangles=5200):
+def lady(triangles=3300):
     """The Lady of Light, 2 m tall: a robed figure that lifts a lens over her head. Returns her stone and the glass."""
     s = Stone((-0.48, -0.42, -0.02), (0.56, 0.42, 2.42), 0.018)
     angle, r = np.arctan2(s.y, s.x), np.hypot(s.x - 0.01 * np.sin(3 * s.z), s.y)
@@ -110,8 +110,8 @@ def lady(triangles=5200):
     s.melt(fall, 0.03)  # the cloth over her arm
     stone = s.hewn("lady", "statuary", triangles)
     centre = (0.285, -0.135, 2.20)
-    glass = statues.biconvex(0.155, 0.06, 0.012, "lens_glass", 40, 8).turned(90, "x").moved(*centre)
-    ring = joined([lathe([(0.156, -0.014), (0.176, -0.014), (0.180, 0.0), (0.176, 0.014), (0.156, 0.014), (0.156, -0.014)], "gilt", 40).turned(90, "x"),
+    glass = statues.biconvex(0.155, 0.06, 0.012, "lens_glass", 28, 4).turned(90, "x").moved(*centre)
+    ring = joined([lathe([(0.156, -0.014), (0.176, -0.014), (0.180, 0.0), (0.176, 0.014), (0.156, 0.014), (0.156, -0.014)], "gilt", 28).turned(90, "x"),
                    meshkit.tube([(0, 0, -0.26), (0, 0, -0.175)], 0.014, "gilt", 10)]).moved(*centre)
-    base = joined([lathe([(0.0, -0.10), (0.36, -0.10), (0.36, -0.03), (0.33, 0.0), (0.30, 0.03), (0.0, 0.03)], "marble_black", 36)])
+    base = joined([lathe([(0.0, -0.10), (0.36, -0.10), (0.36, -0.03), (0.33, 0.0), (0.30, 0.03), (0.0, 0.03)], "marble_black", 28)])
     return joined([stone, ring, base]).moved(0, 0, 0.10), glass.moved(0, 0, 0.10)

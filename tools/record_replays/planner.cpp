@@ -8,8 +8,9 @@ namespace gh::tools {
 
 namespace {
 
-constexpr int kWaitTicks = 180;            // one more of these is waited at a time
-constexpr int kMostWaits = 30;             // a guard's round and a half
+constexpr int kWaitTicks = 120;            // one more of these is waited at a time
+constexpr int kMostWaits = 30;             // a guard's round
+constexpr int kMostTicks = 24'000;         // tried in one attempt: a manner that takes more thought is given up
 constexpr int kMostErrandTicks = 60 * 90;  // nothing is further away than that
 constexpr int kStuckTicks = 240;
 constexpr int kArrestTicks = 60 * 180;
@@ -29,6 +30,9 @@ class Search {
         : simulation_(level, attempt.seed), navigation_(*level), thief_(*level, navigation_), level_(*level),
           attempt_(attempt) {}
 
+    // Whether hiding that long goes unnoticed.
+    bool hides(int ticks) { return go_on(Move::Hide, ticks); }
+
     // Whether the rest of the job can be done from here; then run() holds all of it.
     bool can_finish() {
         const world::State start = simulation_.state();
@@ -37,6 +41,7 @@ class Search {
         world::State waited = start;
         for (int i = 0; i <= kMostWaits; ++i) {
             if (does_errand() && can_finish()) return true;
+            if (ticks_tried_ > kMostTicks) return false;
             simulation_.restore(waited);
             run_.resize(run_here + static_cast<std::size_t>(i) * kWaitTicks);
             if (!go_on(Move::Hide, kWaitTicks)) return false;  // noticed where it hides
@@ -63,6 +68,7 @@ class Search {
                             .turns_mirror = attempt_.turns_mirror,
                             .puts_out_lamps = attempt_.puts_out_lamps};
         for (int i = 0; i < ticks; ++i) {
+            if (++ticks_tried_ > kMostTicks) return false;
             run_.push_back(thief_.steal(*simulation_.snapshot(), manner));
             simulation_.step(run_.back());
             if (!is_unnoticed()) return false;
@@ -90,6 +96,7 @@ class Search {
     const world::Level& level_;
     Attempt attempt_;
     std::vector<input::Command> run_;
+    int ticks_tried_ = 0;
 };
 
 }  // namespace
@@ -97,6 +104,7 @@ class Search {
 std::optional<std::vector<input::Command>> plan_win(std::shared_ptr<const world::Level> level,
                                                     const Attempt& attempt) {
     Search search(std::move(level), attempt);
+    if (!search.hides(attempt.first_wait)) return std::nullopt;
     if (!search.can_finish()) return std::nullopt;
     std::vector<input::Command> run = search.run();
     run.insert(run.end(), 90, run.back());  // and look at the night outside

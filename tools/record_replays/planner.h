@@ -22,6 +22,7 @@ struct Attempt {
     std::uint32_t side = 0;           // see Manner
     bool turns_mirror = true;
     bool puts_out_lamps = true;
+    int first_wait = 0;               // ticks in hiding before anything is done: lets a guard's round go by
     world::Alert most_alert = world::Alert::Calm;  // that any guard may ever reach
 };
 

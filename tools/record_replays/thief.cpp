@@ -10,6 +10,7 @@
 #include "sim/doors.h"
 #include "sim/geometry.h"
 #include "sim/use_target.h"
+#include "spatial/transforms.h"
 #include "world/eye.h"
 #include "world/layers.h"
 
@@ -176,6 +177,7 @@ Command Thief::open_door(const world::Snapshot& now, std::uint32_t door) const {
     const world::DoorState& it = now.state.doors[door];
     const glm::vec3 handle = level_.doors[door].handle;
     Command command = turned_towards(player, handle - world::eye_of(player));
+    if (it.wants_open == 0 && it.angle != 0.0f) return command;  // it is closing: opened again, it would bar the way for ever
     if (it.wants_open == 0) {
         const sim::UseTarget target = sim::use_target(level_, now, player);
         if (target.kind == sim::UseKind::Door && target.index == door) {
@@ -186,7 +188,7 @@ Command Thief::open_door(const world::Snapshot& now, std::uint32_t door) const {
         return command;
     }
     // It swings; make room in case it swings this way: a leaf is wider than an arm is long.
-    if (flat_length(handle - player.position) < 1.75f) command.move_forward = -90;
+    if (flat_length(handle - player.position) < 1.95f) command.move_forward = -90;
     return command;
 }
 
@@ -204,14 +206,27 @@ bool Thief::is_overlooked(const world::Snapshot& now, const glm::vec3& place) co
     return false;
 }
 
-Command Thief::hide(const world::Snapshot& now) const {
+bool Thief::is_behind_a_leaf(const world::Snapshot& now, const glm::vec3& place, const glm::vec3& goal) const {
+    std::array<glm::vec3, world::kMaxPathCorners> corners;
+    const sim::Path path = navigation_.find_path(place, goal, corners);
+    glm::vec3 at = place + glm::vec3(0.0f, 1.0f, 0.0f);
+    for (std::size_t i = 0; i < std::min<std::size_t>(path.corners, 2); ++i) {
+        const glm::vec3 next = corners[i] + glm::vec3(0.0f, 1.0f, 0.0f);
+        const auto hit = rc::sphere_cast(*now.scene, at, 0.25f, next - at, world::Solid);
+        if (hit && level_.parts[hit->instance].mover == world::Mover::Door) return true;
+        at = next;
+    }
+    return false;
+}
+
+Command Thief::hide(const world::Snapshot& now, const glm::vec3& goal) const {
     const world::PlayerState& player = now.state.player;
     glm::vec3 shelter = player.position;
     float best = kFarthestShelter;
     for (const glm::vec3& place : shelters_) {
         if (sim::length_of(place - player.position) >= best || is_overlooked(now, place)) continue;
         const float metres = navigation_.distance(player.position, place).value_or(best);
-        if (metres >= best) continue;
+        if (metres >= best || is_behind_a_leaf(now, place, goal)) continue;
         best = metres;
         shelter = place;
     }
@@ -235,12 +250,14 @@ Command Thief::go(const world::Snapshot& now, const glm::vec3& place) const {
         if (hit && level_.parts[hit->instance].mover == world::Mover::Door) {
             const std::uint32_t door = level_.parts[hit->instance].mover_index;
             if (sim::openness(level_, now.state, door) < 0.95f) return open_door(now, door);
-            // A leaf that stands open in the way is shut first.
-            const bool is_held_up = flat_length(player.velocity) < 0.3f && hit->t * 1.4f < 0.6f;
-            if (is_held_up && alignment(player, way) > 0.9f) {
-                Command command = turned_towards(player, way);
-                const sim::UseTarget target = sim::use_target(level_, now, player);
-                if (target.kind == sim::UseKind::Door && target.index == door) press(player, Button::Use, command);
+            // A leaf that stands open in the way is walked round, by its free end.
+            const glm::vec3 hinge = level_.doors[door].hinge;
+            const glm::vec3 along = flat(spatial::door_handle(level_, now.state, door) - hinge);
+            const glm::vec3 past_end = hinge + along * (1.0f + 0.75f / flat_length(along)) - player.position;
+            const bool is_held_up = flat_length(player.velocity) < 0.6f && hit->t * 1.4f < 0.6f;
+            if (is_held_up && flat_length(past_end) > 0.5f) {
+                Command command = turned_towards(player, flat(past_end));
+                if (alignment(player, past_end) > 0.5f) command.move_forward = 110;
                 return command;
             }
         }
@@ -269,8 +286,8 @@ Command Thief::handle_thing(const world::Snapshot& now, const glm::vec3& thing) 
 
 Command Thief::steal(const world::Snapshot& now, const Manner& manner) const {
     const world::PlayerState& player = now.state.player;
-    if (manner.move == Move::Hide) return hide(now);
     const Goal goal = goal_of(now, manner);
+    if (manner.move == Move::Hide) return hide(now, goal.place);
     const bool is_there = flat_length(goal.place - player.position) < kArrived;
     const bool is_in_reach = goal.is_thing && sim::length_of(goal.thing - world::eye_of(player)) < kArmsLength &&
                              is_seen_from(now, player.position, goal.thing);

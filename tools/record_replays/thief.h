@@ -44,8 +44,11 @@ class Thief {
     [[nodiscard]] Goal goal_of(const world::Snapshot& now, const Manner& manner) const;
     [[nodiscard]] Goal reach_for(const world::Snapshot& now, const glm::vec3& thing, std::uint32_t side) const;
     [[nodiscard]] input::Command go(const world::Snapshot& now, const glm::vec3& place) const;
-    // To the nearest place that no guard's round overlooks, as the doors stand now; there it crouches.
-    [[nodiscard]] input::Command hide(const world::Snapshot& now) const;
+    // To the nearest place that no guard's round overlooks, as the doors stand now; there it crouches. Not behind a leaf
+    // that stands open between it and the goal.
+    [[nodiscard]] input::Command hide(const world::Snapshot& now, const glm::vec3& goal) const;
+    [[nodiscard]] bool is_behind_a_leaf(const world::Snapshot& now, const glm::vec3& place,
+                                        const glm::vec3& goal) const;
     [[nodiscard]] bool is_overlooked(const world::Snapshot& now, const glm::vec3& place) const;
     [[nodiscard]] input::Command open_door(const world::Snapshot& now, std::uint32_t door) const;
     [[nodiscard]] input::Command handle_thing(const world::Snapshot& now, const glm::vec3& thing) const;
