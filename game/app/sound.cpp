@@ -56,7 +56,8 @@ Result<std::unique_ptr<Sound>> Sound::open_device() {
                                               .soundscape = audio::Soundscape(*bank),
                                               .is_loopback = false,
                                               .heard = {},
-                                              .ways = nullptr})));
+                                              .ways = nullptr,
+                                              .rooms = {}})));
 }
 
 Result<std::unique_ptr<Sound>> Sound::open_loopback() {
@@ -69,7 +70,8 @@ Result<std::unique_ptr<Sound>> Sound::open_loopback() {
                                               .soundscape = audio::Soundscape(*bank),
                                               .is_loopback = true,
                                               .heard = {},
-                                              .ways = nullptr})));
+                                              .ways = nullptr,
+                                              .rooms = {}})));
 }
 
 void Sound::note_tick(const world::Level& level, const world::Snapshot& now) {
