@@ -231,6 +231,42 @@ void bounce(const Bake& bake, std::size_t point, std::vector<std::vector<Ambient
     }
 }
 
+// A point inside a wall takes what those around it have, and counts a thousandth of them: for corners that see no other.
+void fill_blind_points(AmbientBake& bake) {
+    constexpr float kBlind = 1e-3f;
+    const Grid& grid = bake.grid;
+    const std::vector<float> sees = bake.validity;
+    for (std::size_t point = 0; point < sees.size(); ++point) {
+        if (sees[point] > 0.0f) continue;
+        const glm::ivec3 at = grid.point_from_index(point);
+        const glm::ivec3 low = glm::max(at - 1, glm::ivec3(0)), high = glm::min(at + 1, grid.cells);
+        std::vector<std::size_t> around;
+        for (int z = low.z; z <= high.z; ++z) {
+            for (int y = low.y; y <= high.y; ++y) {
+                for (int x = low.x; x <= high.x; ++x) {
+                    const std::size_t other = grid.point_index({x, y, z});
+                    if (sees[other] > 0.0f) around.push_back(other);
+                }
+            }
+        }
+        if (around.empty()) continue;
+        const float share = 1.0f / static_cast<float>(around.size());
+        bake.sights[point] = {};
+        for (const std::size_t other : around) {
+            for (std::size_t i = 0; i < kSightMoments / 2; ++i)
+                bake.sights[point].moments[i] += bake.sights[other].moments[i] * share;
+        }
+        for (std::vector<AmbientCube>& cubes : bake.cubes) {
+            cubes[point] = {};
+            for (const std::size_t other : around) {
+                for (std::size_t side = 0; side < 6; ++side)
+                    cubes[point].face[side] += cubes[other].face[side] * share;
+            }
+        }
+        bake.validity[point] = kBlind;
+    }
+}
+
 }  // namespace
 
 AmbientBake bake_ambient(const SceneView& view, const Grid& grid, const BakeSettings& settings,
@@ -260,6 +296,7 @@ AmbientBake bake_ambient(const SceneView& view, const Grid& grid, const BakeSett
         jobs.run(points, [&](std::size_t point, int) { bounce(bake, point, next); });
         bake.result.cubes = std::move(next);
     }
+    fill_blind_points(bake.result);
     return std::move(bake.result);
 }
 

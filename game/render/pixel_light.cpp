@@ -11,20 +11,13 @@ namespace gh::render {
 
 namespace {
 
-constexpr float kSameFacing = 0.85f;  // least cosine between normals
+constexpr float kSameFacing = 0.75f;  // least cosine between normals
 constexpr float kSamePlane = 2.5f;    // most distance from each other's planes, in pixels' sizes
 constexpr std::array<float, 5> kWindow = {0.5f, 1.0f, 1.0f, 1.0f,
                                           0.5f};  // both ends are the same place of the pattern
 
 bool is_uniform(const PixelLight& p) {
     return p.size == 0.0f || p.shared.arrived == p.shared.tried;
-}
-
-bool are_together(const PixelLight& a, const PixelLight& b) {
-    if (!(b.size > 0.0f) || glm::dot(a.normal, b.normal) < kSameFacing) return false;
-    const glm::vec3 offset = b.position - a.position;
-    const float reach = kSamePlane * std::max(a.size, b.size);
-    return std::abs(glm::dot(offset, a.normal)) < reach && std::abs(glm::dot(offset, b.normal)) < reach;
 }
 
 float ratio(float part, float whole) {
@@ -42,7 +35,9 @@ glm::vec3 shared_light(const std::vector<PixelLight>& pixels, int width, int hei
     for (int j = std::max(0, y - 2); j <= std::min(height - 1, y + 2); ++j) {
         for (int i = std::max(0, x - 2); i <= std::min(width - 1, x + 2); ++i) {
             const PixelLight& other = at(i, j);
-            if (!are_together(centre, other)) continue;
+            // A pixel on an edge is lit as all around it are, on whichever side.
+            if (centre.is_mixed ? !(other.size > 0.0f) : other.is_mixed || !are_together(centre, other))
+                continue;
             const float weight =
                 kWindow[static_cast<std::size_t>(i - x + 2)] * kWindow[static_cast<std::size_t>(j - y + 2)];
             tried += other.shared.tried * weight;
@@ -59,6 +54,13 @@ glm::vec3 own_light(const PixelLight& p) {
 }
 
 }  // namespace
+
+bool are_together(const PixelLight& a, const PixelLight& b) {
+    if (!(b.size > 0.0f) || glm::dot(a.normal, b.normal) < kSameFacing) return false;
+    const glm::vec3 offset = b.position - a.position;
+    const float reach = kSamePlane * std::max(a.size, b.size);
+    return std::abs(glm::dot(offset, a.normal)) < reach && std::abs(glm::dot(offset, b.normal)) < reach;
+}
 
 void develop(const std::vector<PixelLight>& pixels, bool shares, const Jobs& jobs, Image& out) {
     const int width = out.width, height = out.height;

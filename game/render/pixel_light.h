@@ -25,11 +25,15 @@ struct PixelLight {
     // The main surface, by which pixels know whether they belong together.
     glm::vec3 position{0.0f};
     glm::vec3 normal{0.0f};
-    float size = 0.0f;  // of the pixel there, metres; 0: no surface
+    float size = 0.0f;      // of the pixel there, metres; 0: no surface
+    bool is_mixed = false;  // its samples lie on several surfaces
     // The same as Film::seen tells it.
     std::uint32_t part = SeenThings::kNone;
     glm::vec3 unfolded{0.0f}, previous{0.0f}, facing{0.0f};
 };
+
+// Whether two pixels show one surface, that goes on between them.
+[[nodiscard]] bool are_together(const PixelLight& a, const PixelLight& b);
 
 // Adds it up. With `shares`, the share of the light that gets through is averaged over 5x5 neighbours on the same
 // surface, in which every pixel of the 4x4 sampling pattern counts the same.

@@ -10,11 +10,18 @@ namespace gh::render {
 
 void TileTracer::note_surface(const PathRay& path, const ShadingPoint& at, const rc::Hit& hit) {
     PixelLight& light = pixels_[path.pixel];
-    if (light.size > 0.0f) return;  // the first sample speaks for the pixel
-    light.position = at.surface.position;
-    light.normal = at.geometric;
     const float cosine = std::max(0.05f, -glm::dot(path.ray.direction, at.geometric));
-    light.size = path.cone_width / cosine;
+    PixelLight here;
+    here.position = at.surface.position;
+    here.normal = at.geometric;
+    here.size = path.cone_width / cosine;
+    if (light.size > 0.0f) {  // the first sample speaks for the pixel, if the others agree
+        light.is_mixed = light.is_mixed || !are_together(light, here);
+        return;
+    }
+    light.position = here.position;
+    light.normal = here.normal;
+    light.size = here.size;
     if (frame_.settings.notes_things) note_thing(path, at, hit, light);
 }
 

@@ -11,6 +11,8 @@ namespace gh::render {
 
 namespace {
 
+// What stands near is lit about as this is, and gives that share of it back: corners are dark, not black.
+constexpr float kBounced = 0.4f;
 constexpr float kSpeaksForAll = 0.2f;  // of all light that arrives: in a glimmer, lamps that give more
 constexpr std::uint32_t kAmbientPurpose = 0xA0u << 16, kReachPurpose = 0xA1u << 16,
                         kChoicePurpose = 0xA2u << 16;
@@ -154,7 +156,8 @@ void TileTracer::ask_around(const SeenSurface& surface, const glm::vec3& light, 
     if (height < 0.01f) way += at.geometric * (0.01f - height);
     // A reach between nothing and all of it: what is near darkens more.
     const float share = sampler.point(number, kReachPurpose, path.depth).x;
-    settle(path, rc::spawn_ray(at.surface, way, reach * share), light);
+    settle(path, std::nullopt, light * kBounced);
+    settle(path, rc::spawn_ray(at.surface, way, reach * share), light * (1.0f - kBounced));
 }
 
 // Without a ray there is nothing that could stand in the way.
