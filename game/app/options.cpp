@@ -58,6 +58,27 @@ void add_machine(CLI::App& command, MachineOptions& machine) {
         ->type_name("NAME");
 }
 
+void add_renderer(CLI::App& command, RendererOptions& o) {
+    command.add_option("--renderer", o.renderer, "how light is computed")
+        ->check(CLI::IsMember({"whitted", "path"}))
+        ->capture_default_str();
+    command.add_option("--sampler", o.sampler, "path: where its random numbers come from")
+        ->check(CLI::IsMember({"iid", "jittered", "sobol", "bluenoise"}))
+        ->capture_default_str();
+    command.add_option("--seed", o.seed, "path: another one is another, independent picture")->type_name("N");
+    command.add_option("--depth", o.max_depth, "path: most bounces")
+        ->check(CLI::Range(0, 199))
+        ->capture_default_str()
+        ->type_name("N");
+    command.add_option("--clamp", o.clamp, "path: most radiance that a bounce may bring; 0: whatever it does")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("X");
+    command.add_option("--sky", o.sky, "path: a picture of all directions for what lies outside")->type_name("FILE");
+    command.add_flag("--denoise", o.is_denoised, "path: filter what noise is left");
+    command.add_flag("!--unbent", o.bends_light,
+                     "path: lamps shine straight through clear glass, and nothing focuses them");
+}
+
 void add_replay(CLI::App& replay, ReplayOptions& o) {
     replay.add_option("FILE", o.file, "a recording")->required();
     replay.add_flag("--verify", o.verifies,
@@ -70,6 +91,8 @@ void add_replay(CLI::App& replay, ReplayOptions& o) {
     replay.add_option("--spp", o.samples_per_pixel, "samples a pixel")
         ->check(CLI::Range(1, 65536))
         ->type_name("N");
+    add_renderer(replay, o.renderer);
+    replay.add_flag("--exr", o.writes_exr, "write pictures as EXR, linear and unexposed, instead of PNG");
     replay.add_option("--audio", o.audio, "write the sound to this file")->type_name("FILE.wav");
     add_size(replay, o.size);
     add_machine(replay, o.machine);
@@ -80,9 +103,7 @@ void add_render(CLI::App& render, RenderOptions& o) {
     render.add_option("-o,--output", o.output, "OUT.png or OUT.exr")->required()->type_name("FILE");
     render.add_option("--camera", o.camera, "a camera of the file, or x,y,z,yaw,pitch,fov (metres, degrees)")
         ->type_name("NAME");
-    render.add_option("--renderer", o.renderer, "how light is computed")
-        ->check(CLI::IsMember({"whitted"}))
-        ->capture_default_str();
+    add_renderer(render, o.renderer);
     render.add_option("--spp", o.samples_per_pixel, "samples a pixel")
         ->check(CLI::Range(1, 65536))
         ->capture_default_str()

@@ -3,6 +3,7 @@
 
 #include "raycore/isa.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -18,6 +19,18 @@ struct Size {
 struct MachineOptions {
     int threads = 0;  // 0: all cores
     std::optional<rc::Isa> isa;
+};
+
+// How a still or a film is computed.
+struct RendererOptions {
+    std::string renderer = "whitted";
+    std::string sampler = "sobol";  // path: iid, jittered, sobol, bluenoise
+    std::filesystem::path sky;      // path: a picture of all directions; empty: the suns' own sky
+    std::uint32_t seed = 0;
+    int max_depth = 24;
+    float clamp = 0.0f;  // path: of what one bounce or more brings; 0: none
+    bool is_denoised = false;
+    bool bends_light = true;  // path: lamps' light through solid glass and off mirrors
 };
 
 struct PlayOptions {
@@ -36,6 +49,8 @@ struct ReplayOptions {
     int every = 1;                 // ticks a picture
     Size size{640, 360};
     int samples_per_pixel = 1;
+    RendererOptions renderer;
+    bool writes_exr = false;      // otherwise PNG
     std::filesystem::path audio;  // empty: no sound
     MachineOptions machine;
 };
@@ -46,7 +61,7 @@ struct RenderOptions {
     std::string
         camera;  // a viewpoint's name, or x,y,z,yaw,pitch,fov in metres and degrees; empty: the first, or the spawn
     Size size;
-    std::string renderer = "whitted";
+    RendererOptions renderer;
     int samples_per_pixel = 16;
     bool is_adaptive = false;
     MachineOptions machine;

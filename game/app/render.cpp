@@ -47,11 +47,19 @@ int render(const RenderOptions& options) {
     if (!camera) return refuse(camera.error());
     const render::Prepared prepared = render::prepare(*level, snapshot, jobs);
 
-    const render::WhittedSettings settings{.samples_per_pixel = options.samples_per_pixel,
-                                           .is_adaptive = options.is_adaptive};
+    const auto sky = sky_named(options.renderer);
+    if (!sky) return refuse(sky.error());
     View view(options.size.width, options.size.height);
     const Clock::time_point start = Clock::now();
-    view.expose({*level, snapshot, prepared}, *camera, settings, 0, jobs);
+    if (options.renderer.renderer == "path") {
+        render::PathSettings settings = path_settings(options.renderer, options.samples_per_pixel);
+        if (*sky) settings.environment = &**sky;
+        view.expose({*level, snapshot, prepared}, *camera, settings, 0, jobs);
+    } else {
+        const render::WhittedSettings settings{.samples_per_pixel = options.samples_per_pixel,
+                                               .is_adaptive = options.is_adaptive};
+        view.expose({*level, snapshot, prepared}, *camera, settings, 0, jobs);
+    }
     const float ms = milliseconds_since(start);
     if (const auto written = write_picture(options.output, view, jobs); !written)
         return refuse(written.error());

@@ -1,9 +1,9 @@
 // glasshouse replay: the same commands again. Verifies them, shows them, or turns them into frames and sound.
 #include "app/assets.h"
 #include "app/commands.h"
+#include "app/film_strip.h"
 #include "app/loop.h"
 #include "base/progress.h"
-#include "record/picture.h"
 #include "record/wav.h"
 #include "world/state_hash.h"
 
@@ -20,7 +20,9 @@ namespace {
 class Output {
   public:
     static Result<Output> open(const ReplayOptions& options) {
-        Output output(options);
+        auto sky = sky_named(options.renderer);
+        if (!sky) return sky.error();
+        Output output(options, *std::move(sky));
         if (options.audio.empty()) return output;
         auto sound = Sound::open_loopback();
         if (!sound) return sound.error();
@@ -40,27 +42,20 @@ class Output {
         const std::size_t every = static_cast<std::size_t>(options_.every);
         if (options_.frames.empty() || tick % every != 0) return {};
         session.prepare_pictures();
-        const std::uint32_t frame = pictures_++;
-        const render::WhittedSettings settings{.samples_per_pixel = options_.samples_per_pixel};
-        view_.expose({*session.level, *now, *session.prepared}, player_camera(now->state.player), settings,
-                     frame, *session.jobs);
-        const Image8& picture = view_.develop(frame, static_cast<float>(options_.every) * world::kTickSeconds,
-                                              0.0f, *session.jobs);
-        return record::write_png(options_.frames / fmt::format("frame_{:06}.png", tick), picture);
+        return film_.shoot({*session.level, *now, *session.prepared}, tick, *session.jobs);
     }
 
     Result<void> close() { return wav_ ? wav_->close() : Result<void>(); }
-    [[nodiscard]] std::uint32_t pictures() const { return pictures_; }
+    [[nodiscard]] std::uint32_t pictures() const { return film_.pictures(); }
 
   private:
-    explicit Output(const ReplayOptions& options)
-        : options_(options), view_(options.size.width, options.size.height) {}
+    Output(const ReplayOptions& options, std::optional<render::Environment> sky)
+        : options_(options), film_(options, std::move(sky)) {}
 
     ReplayOptions options_;
     std::unique_ptr<Sound> sound_;
     std::optional<record::WavWriter> wav_;
-    View view_;
-    std::uint32_t pictures_ = 0;
+    FilmStrip film_;
 };
 
 // Compares one tick with the recording; a sentence where they part.

@@ -1,12 +1,14 @@
 #include "app/view.h"
 
 #include "filter/tone_map.h"
+#include "record/picture.h"
 #include "world/eye.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace gh::app {
 
@@ -65,6 +67,28 @@ Result<render::Camera> camera_named(const world::Level& level, const world::Snap
                  ", and it is not x,y,z,yaw,pitch,fov"};
 }
 
+render::PathSettings path_settings(const RendererOptions& options, int samples_per_pixel) {
+    render::PathSettings settings;
+    settings.samples_per_pixel = samples_per_pixel;
+    settings.max_depth = options.max_depth;
+    settings.seed = options.seed;
+    settings.sampler = options.sampler == "iid"         ? render::SampleKind::Iid
+                       : options.sampler == "jittered"  ? render::SampleKind::Jittered
+                       : options.sampler == "bluenoise" ? render::SampleKind::BlueNoise
+                                                        : render::SampleKind::Sobol;
+    if (!options.bends_light) settings.caustics = render::Caustics::Unbent;
+    if (options.clamp > 0.0f) settings.most_indirect = options.clamp;
+    settings.fills_planes = settings.splits_glass = options.is_denoised;
+    return settings;
+}
+
+Result<std::optional<render::Environment>> sky_named(const RendererOptions& options) {
+    if (options.sky.empty()) return std::optional<render::Environment>();
+    auto picture = record::read_picture(options.sky);
+    if (!picture) return picture.error();
+    return std::optional<render::Environment>(std::in_place, *std::move(picture));
+}
+
 void View::resize(int width, int height) {
     if (film_.radiance.width != width || film_.radiance.height != height) film_ = render::Film(width, height);
 }
@@ -93,11 +117,26 @@ void View::expose_next(const render::SceneView& scene, const render::Camera& cam
     is_added_up_ = true;
 }
 
+void View::expose(const render::SceneView& scene, const render::Camera& camera,
+                  const render::PathSettings& settings, std::uint32_t frame, const Jobs& jobs,
+                  const world::Snapshot* before) {
+    render::render_path(scene, camera, settings, frame, jobs, film_, before);
+    is_added_up_ = false;
+    if (settings.fills_planes) denoiser_.denoise(film_, jobs);
+}
+
 const Image8& View::develop(std::uint32_t frame, float seconds, float stops, const Jobs& jobs) {
-    const Image& radiance = is_added_up_ ? added_up_ : film_.radiance;
-    exposure_ = exposure_ == 0.0f ? filter::metered_exposure(radiance)
-                                  : filter::adapted_exposure(radiance, exposure_, seconds);
-    filter::tone_map(radiance, exposure_ * std::exp2(stops), frame, jobs, picture_);
+    adapt(seconds);
+    return develop_at(exposure_, frame, stops, jobs);
+}
+
+void View::adapt(float seconds) {
+    exposure_ = exposure_ == 0.0f ? filter::metered_exposure(radiance())
+                                  : filter::adapted_exposure(radiance(), exposure_, seconds);
+}
+
+const Image8& View::develop_at(float exposure, std::uint32_t frame, float stops, const Jobs& jobs) {
+    filter::tone_map(radiance(), exposure * std::exp2(stops), frame, jobs, picture_);
     return picture_;
 }
 

@@ -1,12 +1,16 @@
 // app/view.h - from a world to the bytes of a picture: camera, renderer, exposure, tone map, in this order.
 #pragma once
 
+#include "app/film_denoiser.h"
+#include "app/options.h"
 #include "base/image.h"
 #include "base/jobs.h"
 #include "base/result.h"
 #include "filter/temporal_upscale.h"
 #include "render/camera.h"
+#include "render/environment.h"
 #include "render/film.h"
+#include "render/path_tracer.h"
 #include "render/whitted.h"
 #include "world/level.h"
 #include "world/snapshot.h"
@@ -14,6 +18,7 @@
 #include <glm/vec2.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace gh::app {
@@ -27,6 +32,11 @@ inline constexpr float kPlayerFov = 1.2217305f;  // radians, vertical: 70 degree
 // x,y,z,yaw,pitch,fov: metres and degrees.
 [[nodiscard]] Result<render::Camera> camera_named(const world::Level& level, const world::Snapshot& snapshot,
                                                   const std::string& text);
+
+// What the command line asks of the path tracer.
+[[nodiscard]] render::PathSettings path_settings(const RendererOptions& options, int samples_per_pixel);
+// The picture that --sky names; nothing when it names none.
+[[nodiscard]] Result<std::optional<render::Environment>> sky_named(const RendererOptions& options);
 
 // One viewer's eye: remembers the exposure it has adapted to.
 class View {
@@ -42,19 +52,34 @@ class View {
     void expose_next(const render::SceneView& scene, const render::Camera& camera,
                      render::WhittedSettings settings, std::uint32_t frame, glm::ivec2 shown,
                      const Jobs& jobs);
-    void forget() { upscaler_.forget(); }
+    // By path tracing; `before` is the snapshot of the picture before, or null. Denoised if it fills planes.
+    void expose(const render::SceneView& scene, const render::Camera& camera,
+                const render::PathSettings& settings, std::uint32_t frame, const Jobs& jobs,
+                const world::Snapshot* before = nullptr);
+    void forget() {
+        upscaler_.forget();
+        denoiser_.forget();
+    }
     // What was exposed last as a screen shows it. `seconds` since the last picture: the eye adapts, the first time at once. `stops`
     // brightens.
     const Image8& develop(std::uint32_t frame, float seconds, float stops, const Jobs& jobs);
+
+    // The two halves of that: the eye adapts to the film; the film as it looks to an eye of this exposure.
+    void adapt(float seconds);
+    const Image8& develop_at(float exposure, std::uint32_t frame, float stops, const Jobs& jobs);
+    [[nodiscard]] float exposure() const { return exposure_; }
 
     [[nodiscard]] const render::Film& film() const { return film_; }
     [[nodiscard]] const Image8& picture() const { return picture_; }
 
   private:
+    [[nodiscard]] const Image& radiance() const { return is_added_up_ ? added_up_ : film_.radiance; }
+
     render::Film film_;
     filter::TemporalUpscaler upscaler_;
     Image added_up_;
     bool is_added_up_ = false;  // the last picture is there, not in the film
+    FilmDenoiser denoiser_;
     Image8 picture_;
     float exposure_ = 0.0f;  // 0: none yet
 };

@@ -5,8 +5,10 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <exception>
 #include <string>
+#include <vector>
 
 namespace gh::record {
 
@@ -54,6 +56,32 @@ Result<void> write_exr(const std::filesystem::path& path, const Image& picture) 
     spec.attribute("oiio:ColorSpace", "Linear");
     spec.attribute("compression", "zip");
     return write_picture(path, spec, picture.pixels.data());
+}
+
+Result<Image> read_picture(const std::filesystem::path& path) {
+    const auto failed = [&](const std::string& reason) {
+        return Error{fmt::format("{}: can not be read as a picture: {}", path.string(), reason)};
+    };
+    try {
+        const auto in = OIIO::ImageInput::open(path.string());
+        if (in == nullptr) return failed(OIIO::geterror());
+        const OIIO::ImageSpec& spec = in->spec();
+        constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;
+        if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 ||
+            std::int64_t{spec.width} * spec.height > kMostPixels)
+            return failed("its size is not one of a picture");
+        const int channels = spec.nchannels >= 3 ? 3 : 1;
+        Image picture(spec.width, spec.height);
+        std::vector<float> values(picture.pixels.size() * static_cast<std::size_t>(channels));
+        if (!in->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data())) return failed(in->geterror());
+        for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+            const float* value = values.data() + i * static_cast<std::size_t>(channels);
+            picture.pixels[i] = channels == 3 ? glm::vec3(value[0], value[1], value[2]) : glm::vec3(value[0]);
+        }
+        return picture;
+    } catch (const std::exception& exception) {
+        return failed(exception.what());
+    }
 }
 
 }  // namespace gh::record

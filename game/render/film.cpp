@@ -20,4 +20,14 @@ void SeenThings::resize(std::size_t pixels) {
     normal.resize(pixels);
 }
 
+void FilmPlanes::resize(int width, int height) {
+    direct = indirect = specular = clean = Image(width, height);
+    const std::size_t count = direct.pixels.size();
+    part.assign(count, kSky);
+    for (std::vector<glm::vec3>* plane : {&position, &previous, &normal, &geometric, &albedo})
+        plane->assign(count, glm::vec3(0.0f));
+    roughness.assign(count, 1.0f);
+    reflected.assign(count, 0.0f);
+}
+
 }  // namespace gh::render

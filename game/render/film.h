@@ -1,4 +1,4 @@
-// render/film.h - what a renderer fills: the picture, and what it took.
+// render/film.h - what a renderer fills: the picture, what it took, and, if asked to, what filters need to know.
 #pragma once
 
 #include "base/image.h"
@@ -43,10 +43,28 @@ struct SeenThings {
     void resize(std::size_t pixels);
 };
 
+// The surface that each pixel shows and its light by how it behaves; one entry a pixel, all or none. Every plane means
+// what the plane of that name in filter/gbuffer.h means: mirrors and clear glass are looked through, unfolded.
+struct FilmPlanes {
+    static constexpr std::uint32_t kSky = 0xFFFFFFFFu;
+
+    glm::vec3 eye{0.0f}, corner{0.0f}, right{0.0f}, down{0.0f};  // of the lens
+    std::vector<std::uint32_t> part;  // kSky: no surface
+    std::vector<glm::vec3> position, previous;
+    std::vector<glm::vec3> normal, geometric;  // towards the eye
+    std::vector<glm::vec3> albedo;
+    std::vector<float> roughness;
+    std::vector<float> reflected;
+    Image direct, indirect, specular, clean;  // they sum to the picture
+
+    void resize(int width, int height);
+};
+
 struct Film {
     Image radiance;   // linear, scene-referred; its size is the picture's size
     SeenThings seen;  // empty unless asked for
     FrameStats stats;
+    FilmPlanes planes;  // empty unless asked for
 
     Film() = default;
     Film(int width, int height) : radiance(width, height) {}

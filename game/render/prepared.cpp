@@ -66,6 +66,7 @@ Prepared prepare(const world::Level& level, const world::Snapshot& rest, const J
     Prepared prepared;
     prepared.textures = shrink_textures(level, jobs);
     prepared.parts = part_traits(level, jobs);
+    prepared.emitters = find_emitters(level);
     const bool is_split = are_layers_split(level);
     for (const PartTraits& part : prepared.parts) prepared.has_clear_parts |= part.is_clear;
     prepared.blocking_layers = is_split ? world::Blocker : world::Light;

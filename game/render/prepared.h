@@ -8,7 +8,9 @@
 
 #include "base/jobs.h"
 #include "render/ambient.h"
+#include "render/emitters.h"
 #include "render/gloss.h"
+#include "render/gloss_energy.h"
 #include "render/lamp.h"
 #include "render/lamp_lists.h"
 #include "render/texture.h"
@@ -43,6 +45,8 @@ struct Prepared {
     LampLists lamp_lists;
     AmbientBake ambient;
     GlossTable gloss;
+    std::vector<Emitter> emitters;  // what a path looks for besides lamps without a mesh
+    GlossEnergy energy;
     bool has_clear_parts = false;
     // What surely blocks a shadow ray: the Blocker parts of a level that says which they are, else all that is drawn,
     // and then what blocks must be looked at again.

@@ -159,6 +159,7 @@ ShadingPoint shading_point(const SceneView& view, const rc::Ray& ray, const rc::
     point.roughness = material.roughness * rough_metal.y;
     point.metallic = material.metallic * rough_metal.z;
     point.emission = material.emission * glm::vec3(look_up(material.emission_texture));
+    point.smooth = facing_eye(point.is_entering ? normal : -normal, -direction);
     if (material.normal_texture != world::kNoIndex && !mesh.uvs.empty()) {
         normal = mapped_normal(mesh, material, corners, to_world, normal, look_up(material.normal_texture));
     }
@@ -198,7 +199,8 @@ Clearness clearness(const SceneView& view, const rc::Hit& hit) {
     if (material.alpha_mode == world::AlphaMode::Mask) covered = base.w < material.alpha_cutoff ? 0.0f : 1.0f;
     if (material.alpha_mode == world::AlphaMode::Blend) covered = std::clamp(base.w, 0.0f, 1.0f);
     result.glass = covered * material.transmission;
-    result.share = glm::vec3(1.0f - covered) + glm::vec3(base) * result.glass;
+    result.glass_share = glm::vec3(base) * result.glass;
+    result.share = glm::vec3(1.0f - covered) + result.glass_share;
     return result;
 }
 

@@ -18,6 +18,7 @@ struct ShadingPoint {
     bool is_entering = true;    // the ray comes from the side the mesh's normals point to
     glm::vec3 geometric{0.0f};  // unit, of the triangle, towards where the ray came from
     glm::vec3 normal{0.0f};     // unit, smooth and from the normal map, never facing away from the ray
+    glm::vec3 smooth{0.0f};     // the same without the normal map
     // Textures times factors, averaged over the pixel's footprint.
     glm::vec3 base_color{0.0f};
     float alpha = 1.0f;
@@ -40,6 +41,7 @@ struct Clearness {
     rc::SurfacePoint surface;
     glm::vec3 share{0.0f};    // 0: opaque
     float glass = 0.0f;       // how much of it is glass, whose surface reflects, rather than holes
+    glm::vec3 glass_share{0.0f};  // of `share`, what passes the glass
     glm::vec3 outward{0.0f};  // unit
     const world::Material* material = nullptr;
 };

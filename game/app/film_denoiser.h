@@ -1,0 +1,30 @@
+// app/film_denoiser.h - from what the path tracer leaves to what the filters take, and back to a picture.
+//
+// Threads   belongs to one caller; rows over all threads.
+// Same bits as the filters'.
+#pragma once
+
+#include "base/jobs.h"
+#include "filter/denoiser.h"
+#include "render/film.h"
+
+namespace gh::app {
+
+void gbuffer_from(const render::FilmPlanes& planes, filter::GBuffer& out);
+void light_from(const render::FilmPlanes& planes, filter::Light& out);
+
+class FilmDenoiser {
+  public:
+    // The next frame is the first: after a cut.
+    void forget() { denoiser_.forget(); }
+    // Replaces film.radiance. Precondition: film.planes are filled.
+    void denoise(render::Film& film, const Jobs& jobs, const filter::DenoiseSettings& settings = {});
+
+  private:
+    filter::Denoiser denoiser_;
+    filter::GBuffer surfaces_;
+    filter::Light light_;
+    filter::Plane3 picture_;
+};
+
+}  // namespace gh::app

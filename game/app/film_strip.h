@@ -1,0 +1,36 @@
+// app/film_strip.h - a replay's pictures on disk, one file a tick that is shown. What is there already is left as it is,
+// so that a film can be broken off and gone on with: every picture depends on the recording and the options alone.
+//
+// Exposure  of each picture by a small sketch of it, which is made for pictures that are skipped as well: the eye adapts
+//           the same way whether or not the film was made in one go.
+#pragma once
+
+#include "app/options.h"
+#include "app/view.h"
+#include "base/result.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace gh::app {
+
+class FilmStrip {
+  public:
+    FilmStrip(const ReplayOptions& options, std::optional<render::Environment> sky);
+
+    // Writes the picture of this tick, unless it is there.
+    [[nodiscard]] Result<void> shoot(const render::SceneView& scene, std::size_t tick, const Jobs& jobs);
+
+    [[nodiscard]] std::uint32_t pictures() const { return pictures_; }
+
+  private:
+    void expose(const render::SceneView& scene, std::uint32_t frame, const Jobs& jobs);
+
+    ReplayOptions options_;
+    std::optional<render::Environment> sky_;
+    View view_;
+    View sketch_;
+    std::uint32_t pictures_ = 0;
+};
+
+}  // namespace gh::app

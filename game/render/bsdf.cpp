@@ -1,0 +1,227 @@
+// The opaque part, and which lobe is picked.
+#include "render/bsdf.h"
+
+#include "render/fresnel.h"
+#include "render/microfacets.h"
+#include "render/sane.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+
+namespace gh::render {
+
+namespace {
+
+constexpr float kSmoothAlpha = 1e-4f;  // and below: a mirror
+
+float brightest(const glm::vec3& c) {
+    return std::max({c.x, c.y, c.z});
+}
+
+std::size_t index_of(Lobe lobe) {
+    return static_cast<std::size_t>(lobe);
+}
+
+// Takes light away smoothly where the smooth surface still faces a direction that its triangle turns away from, which
+// would otherwise show triangles one by one (Chiang, Li and Burley 2019).
+float terminator(float cos_geometric, float cos_smooth, float cos_bend) {
+    if (cos_bend > 0.99999f) return 1.0f;
+    const float g = std::clamp(cos_geometric / (cos_smooth * std::max(cos_bend, 0.05f)), 0.0f, 1.0f);
+    return g * (1.0f + g - g * g);
+}
+
+}  // namespace
+
+Bsdf::Bsdf(const ShadingPoint& at, const glm::vec3& to_eye, const Border& border, const GlossEnergy& energy)
+    : at_(at), energy_(energy), to_eye_(to_eye), basis_(basis_around(at.normal)), border_(border) {
+    eye_ = basis_.local_from_world(to_eye);
+    eye_.z = std::max(eye_.z, 1e-4f);
+    const world::Material& material = *at.material;
+    const glm::vec3 color = sane_colour(at.base_color);
+    const float metallic = sane(at.metallic, 0.0f, 1.0f);
+    roughness_ = sane(at.roughness, 0.0f, 1.0f);
+    alpha_ = roughness_ * roughness_;
+    is_smooth_ = alpha_ < kSmoothAlpha;
+    clear_ = sane(material.transmission, 0.0f, 1.0f) * (1.0f - metallic);
+    tint_ = color;
+    const float dielectric = sane(material.specular, 0.0f, 1.0f);
+    const float head_on = reflectance_head_on(sane(material.ior, 1.0f, 5.0f)) * dielectric;
+    f0_ = glm::mix(glm::vec3(head_on), color, metallic);
+    // An index of 1 mirrors nothing at any angle.
+    f90_ = std::min(1.0f, 50.0f * brightest(f0_)) * glm::mix(dielectric, 1.0f, metallic);
+    base_ = color * (1.0f - metallic);
+    if (!is_smooth_) lambda_eye_ = smith_lambda(eye_, alpha_);
+    weigh_coat();
+    choose_lobes();
+}
+
+// How the coat's light and the base's are shared, averaged over facets.
+void Bsdf::weigh_coat() {
+    if (!(f90_ > 0.0f)) {
+        seen_ = mean_ = {};
+        return;
+    }
+    if (is_smooth_) {
+        const float m = 1.0f - std::min(eye_.z, 1.0f);
+        seen_ = {1.0f, m * m * m * m * m};
+        mean_ = {1.0f, 1.0f / 21.0f};
+    } else {
+        seen_ = energy_.towards(eye_.z, roughness_);
+        mean_ = energy_.mean(roughness_);
+        const glm::vec3 f_mean = f0_ + (glm::vec3(f90_) - f0_) / 21.0f;
+        multi_ = f_mean * f_mean * mean_.white / (glm::vec3(1.0f) - f_mean * (1.0f - mean_.white));
+    }
+    const float out = brightest(mean_.of(f0_, f90_) + multi_ * (1.0f - mean_.white));
+    const float seen = brightest(seen_.of(f0_, f90_) + multi_ * (1.0f - seen_.white));
+    coat_left_ = out < 0.9999f ? std::max(0.0f, 1.0f - seen) / (1.0f - out) : 0.0f;
+}
+
+void Bsdf::choose_lobes() {
+    std::array<float, kLobes> share{};
+    share[index_of(Lobe::Glass)] = clear_;
+    // What the diffuse lobe gives, were everything evenly lit: coat_left_ is relative to the average.
+    const glm::vec3 mean_coat = mean_.of(f0_, f90_) + multi_ * (1.0f - mean_.white);
+    const float diffuse = brightest(base_) * coat_left_ * std::max(0.0f, 1.0f - brightest(mean_coat));
+    const float gloss = f90_ > 0.0f ? brightest(seen_.of(f0_, f90_)) : 0.0f;
+    const float multi = brightest(multi_) * std::max(0.0f, 1.0f - seen_.white);
+    share[index_of(Lobe::Diffuse)] = (1.0f - clear_) * diffuse;
+    share[index_of(Lobe::Gloss)] = (1.0f - clear_) * gloss;
+    share[index_of(Lobe::Multi)] = (1.0f - clear_) * multi;
+    const float total = share[0] + share[1] + share[2] + share[3];
+    if (!(total > 0.0f)) return;
+    for (std::size_t i = 0; i < kLobes; ++i) probability_[i] = share[i] / total;
+    takes_lamps_ = share[index_of(Lobe::Diffuse)] > 0.0f || share[index_of(Lobe::Multi)] > 0.0f ||
+                   (!is_smooth_ && (gloss > 0.0f || clear_ > 0.0f));
+}
+
+glm::vec3 Bsdf::schlick_at(float cosine) const {
+    return schlick(f0_, f90_, cosine);
+}
+
+// What the coat lets in from one side.
+float Bsdf::coat_share(float cosine) const {
+    if (!(f90_ > 0.0f)) return 1.0f;
+    GlossEnergy::Share share;
+    if (is_smooth_) {
+        const float m = 1.0f - std::min(cosine, 1.0f);
+        share = {1.0f, m * m * m * m * m};
+    } else {
+        share = energy_.towards(cosine, roughness_);
+    }
+    return std::max(0.0f, 1.0f - brightest(share.of(f0_, f90_) + multi_ * (1.0f - share.white)));
+}
+
+// 0 for directions that the triangle itself does not face.
+float Bsdf::facing_share(const glm::vec3& direction, float cosine) const {
+    const float cos_geometric = glm::dot(direction, at_.geometric);
+    if (!(cos_geometric > 0.0f) || !(cosine > 0.0f)) return 0.0f;
+    return terminator(cos_geometric, cosine, glm::dot(at_.geometric, at_.normal));
+}
+
+BsdfSample Bsdf::sample(float u_lobe, const glm::vec2& u) const {
+    float below = 0.0f;
+    std::size_t pick = kLobes;
+    for (std::size_t i = 0; i < kLobes; ++i) {
+        if (!(probability_[i] > 0.0f)) continue;
+        pick = i;
+        if (u_lobe < below + probability_[i]) break;
+        below += probability_[i];
+    }
+    if (pick == kLobes) return {};
+    const float u_within = std::clamp((u_lobe - below) / probability_[pick], 0.0f, 0x1.fffffep-1f);
+    const auto lobe = static_cast<Lobe>(pick);
+    BsdfSample sample;
+    switch (lobe) {
+        case Lobe::Diffuse:
+        case Lobe::Multi:
+            sample = sample_cosine(lobe, u);
+            break;
+        case Lobe::Gloss:
+            sample = sample_gloss(u);
+            break;
+        case Lobe::Glass:
+            sample = is_smooth_ ? sample_smooth_glass(u_within) : sample_rough_glass(u_within, u);
+            break;
+    }
+    sample.lobe = lobe;
+    return sample;
+}
+
+BsdfSample Bsdf::sample_cosine(Lobe lobe, const glm::vec2& u) const {
+    BsdfSample sample;
+    const glm::vec3 local = cosine_hemisphere(u);
+    sample.direction = basis_.world_from_local(local);
+    const LobeValue value = value_of(lobe, sample.direction, local);
+    sample.density = value.density;
+    if (value.density > 0.0f) sample.weight = value.value / value.density;
+    return sample;
+}
+
+BsdfSample Bsdf::sample_gloss(const glm::vec2& u) const {
+    const float share = (1.0f - clear_) / probability(Lobe::Gloss);
+    BsdfSample sample;
+    if (is_smooth_) {
+        sample.is_delta = true;
+        sample.direction = mirrored_direction(-to_eye_, at_);
+        sample.weight = schlick_at(eye_.z) * share;
+        return sample;
+    }
+    const glm::vec3 half = pick_facet(eye_, alpha_, u);
+    const float facing = glm::dot(eye_, half);
+    const glm::vec3 local = half * (2.0f * facing) - eye_;
+    sample.direction = glm::normalize(basis_.world_from_local(local));
+    const float open = facing_share(sample.direction, local.z);
+    if (!(open > 0.0f)) return sample;
+    sample.density = probability(Lobe::Gloss) * visible_density(eye_, half, alpha_) / (4.0f * facing);
+    sample.weight =
+        schlick_at(facing) * (share * open * unshadowed_share(lambda_eye_, smith_lambda(local, alpha_)));
+    return sample;
+}
+
+BsdfValue Bsdf::value(const glm::vec3& direction) const {
+    const glm::vec3 local = basis_.local_from_world(direction);
+    BsdfValue result{};
+    for (std::size_t i = 0; i < kLobes; ++i) {
+        if (probability_[i] > 0.0f) result[i] = value_of(static_cast<Lobe>(i), direction, local);
+    }
+    return result;
+}
+
+LobeValue Bsdf::value_of(Lobe lobe, const glm::vec3& direction, const glm::vec3& local) const {
+    if (lobe == Lobe::Glass) {
+        if (is_smooth_) return {};
+        const bool is_outside = glm::dot(direction, at_.geometric) > 0.0f;
+        if (is_outside != (local.z > 0.0f) || local.z == 0.0f) return {};
+        return glass_value(local);
+    }
+    const float open = facing_share(direction, local.z);
+    if (!(open > 0.0f)) return {};
+    LobeValue result = lobe == Lobe::Gloss ? gloss_value(local) : cosine_value(lobe, local);
+    result.value *= open * (1.0f - clear_);
+    return result;
+}
+
+LobeValue Bsdf::cosine_value(Lobe lobe, const glm::vec3& local) const {
+    const float even = local.z / kPi;
+    LobeValue result{.density = probability(lobe) * even};
+    if (lobe == Lobe::Diffuse) {
+        result.value = base_ * (coat_left_ * coat_share(local.z) * even);
+    } else {
+        const float light = 1.0f - energy_.towards(local.z, roughness_).white;
+        result.value = multi_ * ((1.0f - seen_.white) * light / std::max(1.0f - mean_.white, 1e-6f) * even);
+    }
+    return result;
+}
+
+LobeValue Bsdf::gloss_value(const glm::vec3& local) const {
+    if (is_smooth_) return {};
+    const glm::vec3 half = glm::normalize(eye_ + local);
+    const float facing = glm::dot(eye_, half);
+    if (!(facing > 0.0f)) return {};
+    const float visible = visible_density(eye_, half, alpha_) / (4.0f * facing);
+    return {schlick_at(facing) * (visible * unshadowed_share(lambda_eye_, smith_lambda(local, alpha_))),
+            probability(Lobe::Gloss) * visible};
+}
+
+}  // namespace gh::render

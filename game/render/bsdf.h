@@ -1,0 +1,117 @@
+// render/bsdf.h - what a surface does to light at one point, seen from one side: glTF's metallic-roughness with an
+// energy-preserving GGX coat, and glass, smooth or rough, thin or solid.
+//
+// The light is split into lobes that are estimated apart: each is picked with a probability of its own, sampled by
+// its own shape, and weighed against lamps by its own density. So what a filter has to keep apart stays apart.
+//
+//   Diffuse  the base below the coat, what enters and leaves it dimmed alike: reciprocal (Kelemen 2001)
+//   Gloss    one bounce among the facets (GGX, visible normals; Dupuy and Benyoub 2023)
+//   Multi    more bounces (Kulla and Conty 2017): a white surface gives all light back at any roughness
+//   Glass    mirrored and bent, by the exact Fresnel equations. Rough glass bounces once only and darkens a little
+//
+// Units     radiance; weights are value * |cos| / density. Radiance is squeezed by 1 / eta^2 into a denser medium.
+// Same bits pure.
+// Bad input material numbers that are NaN, infinite or out of range count as the nearest sane ones: no weight is NaN.
+#pragma once
+
+#include "render/directions.h"
+#include "render/gloss_energy.h"
+#include "render/shading_point.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace gh::render {
+
+enum class Lobe : std::uint8_t { Diffuse, Gloss, Multi, Glass };
+inline constexpr std::size_t kLobes = 4;
+
+// A border between two clear media, as the path meets it.
+struct Border {
+    float eta = 1.0f;      // index behind it over index before it
+    bool is_thin = false;  // a sheet: what enters leaves at once, straight on
+};
+
+struct BsdfSample {
+    glm::vec3 direction{0.0f};
+    glm::vec3 weight{0.0f};  // 0: absorbed
+    float density =
+        0.0f;  // of this lobe, times the probability of picking it; 0 for a mirror or smooth glass
+    Lobe lobe = Lobe::Diffuse;
+    bool is_delta = false;
+    bool passes = false;       // went through the surface
+    bool is_straight = false;  // and did not turn
+};
+
+// One lobe's answer for one direction.
+struct LobeValue {
+    glm::vec3 value{0.0f};  // times |cos|
+    float density = 0.0f;   // times the probability of picking the lobe
+};
+using BsdfValue = std::array<LobeValue, kLobes>;
+
+class Bsdf {
+  public:
+    // `to_eye` unit; `at` and `energy` must outlive it.
+    Bsdf(const ShadingPoint& at, const glm::vec3& to_eye, const Border& border, const GlossEnergy& energy);
+
+    // `u_lobe` picks the lobe (and for glass whether light is mirrored), `u` the direction.
+    [[nodiscard]] BsdfSample sample(float u_lobe, const glm::vec2& u) const;
+    [[nodiscard]] BsdfValue value(const glm::vec3& direction) const;
+
+    // Whether a lamp can be seen by it at all: not if everything is a mirror or smooth glass.
+    [[nodiscard]] bool takes_lamps() const { return takes_lamps_; }
+    // Whether light from behind the surface counts.
+    [[nodiscard]] bool is_clear() const { return probability_[static_cast<std::size_t>(Lobe::Glass)] > 0.0f; }
+    [[nodiscard]] float probability(Lobe lobe) const { return probability_[static_cast<std::size_t>(lobe)]; }
+    // With which glass mirrors rather than lets through.
+    [[nodiscard]] float mirrored_probability() const;
+    [[nodiscard]] float alpha() const { return alpha_; }
+    // Of the diffuse base, before the coat takes its share.
+    [[nodiscard]] const glm::vec3& diffuse_albedo() const { return base_; }
+
+  private:
+    void weigh_coat();
+    void choose_lobes();
+    [[nodiscard]] float coat_share(float cosine) const;
+    [[nodiscard]] float facing_share(const glm::vec3& direction, float cosine) const;
+    [[nodiscard]] glm::vec3 schlick_at(float cosine) const;
+
+    [[nodiscard]] BsdfSample sample_cosine(Lobe lobe, const glm::vec2& u) const;
+    [[nodiscard]] BsdfSample sample_gloss(const glm::vec2& u) const;
+    [[nodiscard]] BsdfSample sample_smooth_glass(float u_choice) const;
+    [[nodiscard]] BsdfSample sample_rough_glass(float u_choice, const glm::vec2& u) const;
+    [[nodiscard]] LobeValue value_of(Lobe lobe, const glm::vec3& direction, const glm::vec3& local) const;
+    [[nodiscard]] LobeValue cosine_value(Lobe lobe, const glm::vec3& local) const;
+    [[nodiscard]] LobeValue gloss_value(const glm::vec3& local) const;
+    [[nodiscard]] LobeValue glass_value(const glm::vec3& local) const;
+    [[nodiscard]] LobeValue bent_value(const glm::vec3& local) const;
+
+    const ShadingPoint& at_;
+    const GlossEnergy& energy_;
+    glm::vec3 to_eye_;
+    Basis basis_;
+    glm::vec3 eye_{0.0f, 0.0f, 1.0f};  // to_eye in the surface's frame
+    Border border_;
+
+    float clear_ = 0.0f;  // share of the surface that is glass
+    glm::vec3 tint_{1.0f};
+    glm::vec3 base_{0.0f};
+    glm::vec3 f0_{0.0f};
+    float f90_ = 0.0f;
+    float roughness_ = 1.0f;
+    float alpha_ = 1.0f;
+    bool is_smooth_ = false;
+    float lambda_eye_ = 0.0f;
+
+    GlossEnergy::Share seen_, mean_;
+    glm::vec3 multi_{0.0f};   // colour of light after more bounces
+    float coat_left_ = 1.0f;  // what the coat lets out towards the eye over what it lets out on average
+    std::array<float, kLobes> probability_{};
+    bool takes_lamps_ = false;
+};
+
+}  // namespace gh::render

@@ -1,0 +1,168 @@
+#include "render/path_tile.h"
+
+#include "base/random.h"
+#include "render/clear_way.h"
+#include "world/layers.h"
+
+#include "raycore/query.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gh::render {
+
+namespace {
+
+constexpr std::uint32_t kPathsTogether =
+    1024;  // at least, where there are that many samples: what rays in a batch share
+
+}  // namespace
+
+void PathTile::trace(int tile_x, int tile_y, Film& film, FrameStats& stats) {
+    film_ = &film;
+    x_ = tile_x * kPathTileSide;
+    y_ = tile_y * kPathTileSide;
+    columns_ = std::min(kPathTileSide, frame_.width - x_);
+    rows_ = std::min(kPathTileSide, frame_.height - y_);
+    const auto pixels = static_cast<std::uint32_t>(columns_ * rows_);
+    sums_.assign(pixels, {});
+    begin_planes();
+    sequences_.clear();
+    const auto samples = static_cast<std::uint32_t>(frame_.settings.samples_per_pixel);
+    const SampleSettings sampling{frame_.settings.sampler, samples, frame_.settings.seed};
+    for (int i = 0; i < columns_ * rows_; ++i)
+        sequences_.emplace_back(sampling, x_ + i % columns_, y_ + i / columns_, frame_.number);
+
+    const std::uint32_t together = std::max(1u, kPathsTogether / pixels);
+    for (std::uint32_t sample = 0; sample < samples; sample += together) {
+        add_eye_paths(sample, std::min(together, samples - sample));
+        stats.primary_rays += now_.size();
+        while (!now_.empty()) {
+            trace_generation(stats);
+            trace_shadows(stats);
+            now_.swap(next_);
+            next_.clear();
+        }
+    }
+    for (std::uint16_t i = 0; i < pixels; ++i) {
+        const std::size_t at = film_index(i);
+        const auto channel = [&](Channel which) {
+            return glm::vec3(sums_[i].light[static_cast<std::size_t>(which)] / static_cast<double>(samples));
+        };
+        const glm::vec3 direct = channel(Channel::Direct), indirect = channel(Channel::Indirect);
+        const glm::vec3 specular = channel(Channel::Specular), clean = channel(Channel::Clean);
+        film.radiance.pixels[at] = direct + indirect + specular + clean;
+        if (!frame_.settings.fills_planes) continue;
+        film.planes.direct.pixels[at] = direct;
+        film.planes.indirect.pixels[at] = indirect;
+        film.planes.specular.pixels[at] = specular;
+        film.planes.clean.pixels[at] = clean;
+    }
+}
+
+void PathTile::add_eye_paths(std::uint32_t first_sample, std::uint32_t count) {
+    now_.clear();
+    for (std::uint32_t sample = first_sample; sample < first_sample + count; ++sample) {
+        for (int i = 0; i < columns_ * rows_; ++i) {
+            Path path;
+            path.sample = sample;
+            path.pixel = static_cast<std::uint16_t>(i);
+            const glm::vec2 at = frame_.settings.jitters ? sequence(path).two(sample, 0) : glm::vec2(0.5f);
+            path.ray = frame_.lens.ray(
+                glm::vec2(static_cast<float>(x_ + i % columns_), static_cast<float>(y_ + i / columns_)) + at);
+            path.start = path.ray.origin;
+            path.cone_angle = frame_.lens.pixel_angle();
+            now_.push_back(path);
+        }
+    }
+}
+
+void PathTile::trace_generation(FrameStats& stats) {
+    rays_.clear();
+    for (const Path& path : now_) rays_.push_back(path.ray);
+    hits_.resize(rays_.size());
+    rc::closest_hits(*frame_.view.snapshot.scene, rays_, world::Light, hits_);
+    for (std::size_t i = 0; i < now_.size(); ++i) {
+        add_bare_lamps(now_[i], hits_[i].is_miss() ? rc::kInfinity : hits_[i].t);
+        if (hits_[i].is_miss()) {
+            meet_nothing(now_[i]);
+        } else {
+            meet(now_[i], hits_[i], stats);
+        }
+    }
+}
+
+// Lamps without a mesh ask whether anything is in between, triangles whether they are what the ray meets first.
+void PathTile::trace_shadows(FrameStats& stats) {
+    const rc::Scene& scene = *frame_.view.snapshot.scene;
+    stats.shadow_rays += shadow_rays_.size() + target_rays_.size();
+    is_blocked_.resize(shadow_rays_.size());
+    rc::any_hits(scene, shadow_rays_, frame_.view.prepared.blocking_layers, is_blocked_);
+    const bool may_look_through = frame_.view.prepared.has_clear_parts;
+    const bool is_split = frame_.view.prepared.blocking_layers == world::Blocker;
+    for (std::size_t i = 0; i < shadows_.size(); ++i) {
+        rc::Hit first;
+        if (may_look_through && (is_split ? is_blocked_[i] == 0 : is_blocked_[i] != 0)) {
+            ++stats.glass_shadow_rays;
+            if (const auto hit = rc::closest_hit(scene, shadow_rays_[i], world::Light)) first = *hit;
+        } else if (is_blocked_[i] != 0) {
+            continue;
+        }
+        settle(shadows_[i], shadow_rays_[i], first, stats);
+    }
+    hits_.resize(target_rays_.size());
+    rc::closest_hits(scene, target_rays_, world::Light, hits_);
+    for (std::size_t i = 0; i < targets_.size(); ++i) settle(targets_[i], target_rays_[i], hits_[i], stats);
+    shadow_rays_.clear();
+    target_rays_.clear();
+    shadows_.clear();
+    targets_.clear();
+}
+
+void PathTile::settle(const Shadow& shadow, const rc::Ray& ray, const rc::Hit& hit, FrameStats& stats) {
+    rc::Hit end = hit;
+    glm::vec3 light(1.0f);
+    const bool has_target = shadow.target_part != world::kNoIndex;
+    const bool is_clear = !hit.is_miss() && frame_.view.prepared.parts[hit.instance].is_clear;
+    if ((is_clear && hit.instance != shadow.target_part) || shadow.inside != nullptr) {
+        if (has_target) ++stats.glass_shadow_rays;
+        const ClearWay way = follow(frame_.view, ray, hit,
+                                    {.passes_solid_glass = frame_.settings.caustics == Caustics::Unbent,
+                                     .target = shadow.target_part,
+                                     .inside = shadow.inside,
+                                     .start = shadow.start});
+        light = way.share;
+        end = way.end;
+    }
+    if (has_target) {
+        const bool is_it =
+            !end.is_miss() && end.instance == shadow.target_part &&
+            (shadow.target_primitive == world::kNoIndex || shadow.target_primitive == end.primitive);
+        if (!is_it) return;
+        light *= frame_.lights.emission_at(end, ray.direction);
+    } else if (!end.is_miss()) {
+        return;
+    }
+    add(shadow.pixel, shadow.diffuse_channel, shadow.diffuse * light, shadow.is_indirect);
+    add(shadow.pixel, shadow.gloss_channel, shadow.gloss * light, shadow.is_indirect);
+}
+
+// What is not a number is nobody's light: it would spoil the pixel for good.
+void PathTile::add(std::uint16_t pixel, Channel channel, const glm::vec3& light, bool is_indirect) {
+    const float most = std::max({light.x, light.y, light.z});
+    if (!(most > 0.0f) || !(light.x + light.y + light.z < rc::kInfinity)) return;
+    float scale = 1.0f;
+    if (is_indirect && most > frame_.settings.most_indirect) scale = frame_.settings.most_indirect / most;
+    sums_[pixel].light[static_cast<std::size_t>(channel)] += glm::dvec3(light * scale);
+}
+
+std::size_t PathTile::film_index(std::uint16_t pixel) const {
+    const int x = x_ + pixel % columns_, y = y_ + pixel / columns_;
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width) + static_cast<std::size_t>(x);
+}
+
+std::uint32_t PathTile::dimension(const Path& path, std::uint32_t purpose) const {
+    return purpose + 16u * (path.depth + 1u) + (std::uint32_t{path.passes} << 12) + (path.branch << 20);
+}
+
+}  // namespace gh::render

@@ -1,0 +1,141 @@
+// render/path_tile.h - one tile of a path-traced picture: the paths of all its pixels go on bounce by bounce together,
+// so that their rays can be traced in batches. What a tile makes depends on the tile alone.
+//
+// Threads   scratch memory for one thread; trace() may be called for any number of tiles, one after the other.
+#pragma once
+
+#include "render/bsdf.h"
+#include "render/camera.h"
+#include "render/film.h"
+#include "render/frame_light.h"
+#include "render/light_set.h"
+#include "render/path_ray.h"
+#include "render/path_tracer.h"
+#include "render/sample_sequence.h"
+#include "render/shading_point.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace gh::render {
+
+inline constexpr int kPathTileSide = 16;
+
+// What all tiles of a frame have in common.
+struct PathFrame {
+    const SceneView& view;
+    const PathSettings& settings;
+    const FrameLight& light;
+    const LightSet& lights;
+    const world::Snapshot* before;
+    Lens lens;
+    std::uint32_t number = 0;
+    int width = 0, height = 0;
+};
+
+class PathTile {
+  public:
+    explicit PathTile(const PathFrame& frame) : frame_(frame) {}
+
+    // Fills the tile's pixels of the film.
+    void trace(int tile_x, int tile_y, Film& film, FrameStats& stats);
+
+  private:
+    // Where light goes in filter/gbuffer.h's terms.
+    enum class Channel : std::uint8_t { Direct, Indirect, Specular, Clean };
+    static constexpr std::size_t kChannels = 4;
+
+    struct Path {
+        rc::Ray ray;
+        glm::vec3 start{0.0f};   // where the ray starts, exactly
+        glm::vec3 weight{1.0f};  // what its light counts in the pixel
+        LightQuery from;         // the last place that asked lamps
+        float density = 0.0f;    // with which it sent the path here; 0: nobody asked, all that shines counts
+        MediumStack media;
+        float cone_width = 0.0f, cone_angle = 0.0f;
+        std::uint32_t sample = 0;
+        std::uint32_t branch = 0;  // of paths split at glass
+        std::uint16_t pixel = 0;   // of the tile
+        std::uint8_t depth = 0;    // scatterings so far
+        std::uint8_t passes = 0;   // holes and sheets so far
+        Channel channel = Channel::Clean;
+        bool is_eye = true;         // met mirrors and smooth glass only
+        bool is_leading = true;     // its surface speaks for the pixel
+        bool has_bent = false;      // mirrored or bent by something smooth since `from`
+        bool is_first_leg = false;  // the way from the main surface to the next
+    };
+    struct Shadow {  // light that arrives if nothing stands in its way
+        glm::vec3 diffuse;
+        glm::vec3 gloss;
+        glm::vec3 start;
+        const world::Material* inside;
+        std::uint32_t target_part, target_primitive;
+        std::uint16_t pixel;
+        Channel diffuse_channel, gloss_channel;
+        bool is_indirect;
+    };
+    struct Sum {
+        glm::dvec3 light[kChannels] =
+            {};  // double: thousands of equal samples would else be rounded the same way
+    };
+    // What the leading path has gone through so far, for the planes.
+    struct Unfolding {
+        glm::mat3 turned{1.0f};  // from what is seen to what is there, as mirrors turn it
+        float length = 0.0f;     // metres from the eye
+        bool is_done = false;
+    };
+
+    void add_eye_paths(std::uint32_t first_sample, std::uint32_t count);
+    void trace_generation(FrameStats& stats);
+    void trace_shadows(FrameStats& stats);
+    void settle(const Shadow& shadow, const rc::Ray& ray, const rc::Hit& hit, FrameStats& stats);
+
+    // path_tile_shade.cpp
+    void meet_nothing(const Path& path);
+    void meet(Path path, const rc::Hit& hit, FrameStats& stats);
+    [[nodiscard]] bool passes_hole(Path& path, const ShadingPoint& at, FrameStats& stats);
+    void add_emission(const Path& path, const ShadingPoint& at, const rc::Hit& hit);
+    void add_bare_lamps(const Path& path, float t_max);
+    void add_met_light(const Path& path, const glm::vec3& light, float lamp_density);
+    void split(const Path& path, const ShadingPoint& at, const Bsdf& bsdf, FrameStats& stats);
+    void ask_lamp(const Path& path, const ShadingPoint& at, const Bsdf& bsdf);
+    void send_on(const Path& path, const ShadingPoint& at, const BsdfSample& sample, const Bsdf& bsdf,
+                 FrameStats& stats);
+    [[nodiscard]] Border border_at(const Path& path, const ShadingPoint& at) const;
+    [[nodiscard]] bool survives(Path& path) const;
+    void add(std::uint16_t pixel, Channel channel, const glm::vec3& light, bool is_indirect);
+
+    // path_tile_planes.cpp
+    void begin_planes();
+    void note_mirror(const Path& path, const ShadingPoint& at, bool passes);
+    void note_surface(const Path& path, const ShadingPoint& at, const rc::Hit& hit, const Bsdf& bsdf);
+    void note_reflection(const Path& path, float t);
+    [[nodiscard]] glm::vec3 position_before(const ShadingPoint& at, const rc::Hit& hit) const;
+    [[nodiscard]] std::size_t film_index(std::uint16_t pixel) const;
+
+    [[nodiscard]] std::uint32_t dimension(const Path& path, std::uint32_t purpose) const;
+    [[nodiscard]] const SampleSequence& sequence(const Path& path) const { return sequences_[path.pixel]; }
+    [[nodiscard]] bool fills_planes(const Path& path) const {
+        return frame_.settings.fills_planes && path.is_leading && path.sample == 0;
+    }
+
+    const PathFrame& frame_;
+    Film* film_ = nullptr;
+    int x_ = 0, y_ = 0, columns_ = 0, rows_ = 0;  // of the tile, pixels
+    std::vector<SampleSequence> sequences_;
+    std::vector<Sum> sums_;
+    std::vector<Unfolding> unfolding_;
+    std::vector<Path> now_, next_;
+    std::vector<rc::Ray> rays_;
+    std::vector<rc::Hit> hits_;
+    std::vector<rc::Ray> shadow_rays_, target_rays_;
+    std::vector<Shadow> shadows_, targets_;
+    std::vector<std::uint8_t> is_blocked_, meets_clear_;
+    std::vector<rc::Ray> left_;
+    std::vector<std::size_t> left_index_;
+};
+
+}  // namespace gh::render

@@ -1,0 +1,65 @@
+// The part of a tile that tells filters what each pixel shows: the first surface that scatters, seen through mirrors and
+// clear glass as if it lay straight ahead.
+#include "render/path_tile.h"
+#include "render/sane.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace gh::render {
+
+void PathTile::begin_planes() {
+    if (!frame_.settings.fills_planes) return;
+    unfolding_.assign(static_cast<std::size_t>(columns_ * rows_), {});
+}
+
+// Something in the way of the eye that turns it.
+void PathTile::note_mirror(const Path& path, const ShadingPoint& at, bool passes) {
+    Unfolding& unfolding = unfolding_[path.pixel];
+    unfolding.length += glm::distance(path.ray.origin, at.surface.position);
+    if (passes) return;
+    const glm::vec3& n = at.normal;
+    unfolding.turned = unfolding.turned * (glm::mat3(1.0f) - 2.0f * glm::outerProduct(n, n));
+}
+
+glm::vec3 PathTile::position_before(const ShadingPoint& at, const rc::Hit& hit) const {
+    if (frame_.before == nullptr) return at.surface.position;
+    const rc::Scene& scene = *frame_.before->scene;
+    if (hit.instance >= scene.instance_count()) return at.surface.position;
+    const std::array<glm::vec3, 3> corner = scene.triangle(hit.instance, hit.primitive);
+    const glm::vec3 local = corner[0] + (corner[1] - corner[0]) * hit.u + (corner[2] - corner[0]) * hit.v;
+    return scene.instance(hit.instance).world_from_instance * glm::vec4(local, 1.0f);
+}
+
+void PathTile::note_surface(const Path& path, const ShadingPoint& at, const rc::Hit& hit, const Bsdf& bsdf) {
+    if (!fills_planes(path)) return;
+    Unfolding& unfolding = unfolding_[path.pixel];
+    if (unfolding.is_done) return;
+    unfolding.is_done = true;
+    FilmPlanes& planes = film_->planes;
+    const std::size_t i = film_index(path.pixel);
+    glm::vec3 position = at.surface.position;
+    if (path.depth + path.passes > 0) {
+        const glm::vec3 point(x_ + path.pixel % columns_, y_ + path.pixel / columns_, 0.0f);
+        const glm::vec2 within =
+            frame_.settings.jitters ? sequence(path).two(path.sample, 0) : glm::vec2(0.5f);
+        const glm::vec3 way = frame_.lens.ray(glm::vec2(point.x, point.y) + within).direction;
+        const float length = unfolding.length + glm::distance(path.ray.origin, at.surface.position);
+        position = frame_.lens.position() + way * length;
+    }
+    planes.part[i] = at.part;
+    planes.position[i] = position;
+    planes.previous[i] = position + unfolding.turned * (position_before(at, hit) - at.surface.position);
+    planes.normal[i] = unfolding.turned * at.smooth;
+    planes.geometric[i] = unfolding.turned * at.geometric;
+    planes.albedo[i] = bsdf.diffuse_albedo();
+    planes.roughness[i] = sane(at.roughness, 0.0f, 1.0f);
+}
+
+// How far off the thing is that the main surface mirrors.
+void PathTile::note_reflection(const Path& path, float t) {
+    if (!fills_planes(path) || !path.is_first_leg || path.channel != Channel::Specular) return;
+    film_->planes.reflected[film_index(path.pixel)] = t;
+}
+
+}  // namespace gh::render

@@ -1,0 +1,67 @@
+// render/path_tracer.h - a picture by path tracing (Kajiya 1986): all light there is, by chance, without bias.
+//
+//   render::Film film(640, 360);
+//   render::render_path({level, snapshot, prepared}, camera, {.samples_per_pixel = 64}, frame, jobs, film);
+//
+// Every surface asks one of the lamps, chosen by how much it may give (light_tree.h), and sends its path on by what it
+// scatters; what both find is weighed by the power heuristic (Veach 1995). Emissive triangles are lamps like others.
+//
+// Units     metres, linear radiance.
+// Cost      two to three rays a bounce; tiles over all threads.
+// Threads   reads its arguments only; any number of pictures may be made at a time.
+// Same bits a picture is a function of (scene, camera, settings, frame number): the same for any number of threads
+//           and any raycore ISA.
+// Bad input a Level that level_check passed, and the Snapshot of that very Level; materials with NaN or infinite numbers
+//           give some colour, never a NaN pixel.
+#pragma once
+
+#include "base/jobs.h"
+#include "render/camera.h"
+#include "render/film.h"
+#include "render/sample_sequence.h"
+#include "render/scene_view.h"
+
+#include "raycore/ray.h"
+
+#include <cstdint>
+
+namespace gh::render {
+
+class Environment;
+
+// How lamps are found. All give the same picture, at different noise; one alone is for tests. Lamps without extent
+// can be asked only.
+enum class LampFinding : std::uint8_t { Both, AskOnly, MeetOnly };
+
+// Whether mirrors and glass may focus lamps onto other surfaces. Traced: as light does, noisy; a lamp without extent
+// then cannot be seen through a solid piece of glass. Unbent: shadow rays run straight through clear glass, which
+// takes its share by Fresnel and its colour, and focused light is left out: little noise, not the truth.
+enum class Caustics : std::uint8_t { Traced, Unbent };
+
+struct PathSettings {
+    int samples_per_pixel = 1;
+    int max_depth = 24;  // scatterings after the eye; 0: only what shines by itself
+    SampleKind sampler = SampleKind::Sobol;
+    std::uint32_t seed = 0;  // another one is another, independent picture
+    LampFinding lamps = LampFinding::Both;
+    Caustics caustics = Caustics::Traced;
+    bool uses_roulette = true;  // ends faint paths by chance, the others count for them
+    bool jitters = true;        // spreads samples over the pixel; otherwise all go through its middle
+    // Whether the eye's path is split in two at smooth glass, so that each pixel's surfaces do not depend on chance.
+    bool splits_glass = false;
+    bool fills_planes = false;  // of the film, for filters
+    float most_indirect =
+        rc::kInfinity;  // clamps what one bounce or more brings: dims, only for a filter's good
+    float texture_taps = 8.0f;
+    const Environment* environment = nullptr;  // instead of the sky
+};
+
+// What filters and pictures at 30 a second like best.
+[[nodiscard]] PathSettings realtime_path();
+
+// Fills film.radiance (of the size it has), film.stats and, if asked for, film.planes. `before` is the snapshot of the
+// frame before, for where things were; null: nothing has moved.
+void render_path(const SceneView& scene, const Camera& camera, const PathSettings& settings,
+                 std::uint32_t frame, const Jobs& jobs, Film& film, const world::Snapshot* before = nullptr);
+
+}  // namespace gh::render

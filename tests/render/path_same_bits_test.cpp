@@ -1,0 +1,151 @@
+// A path-traced picture is a function of scene, camera, settings and frame number; and never holds a NaN.
+#include "path_studio.h"
+#include "support/isas.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace gh {
+namespace {
+
+using test::Studio;
+
+// A bit of everything.
+void furnish(Studio& studio) {
+    studio.add_box({-3, 0, -3}, {3, 3, 3}, test::matte({0.7f, 0.6f, 0.5f}), true);
+    world::Material polished = test::matte({0.4f, 0.2f, 0.1f});
+    polished.ior = 1.5f;
+    polished.roughness = 0.15f;
+    studio.add_box({-1.5f, 0.01f, -1.5f}, {-0.5f, 0.8f, -0.5f}, polished);
+    studio.add_ball({1, 0.6f, -1}, 0.5f, 16, test::clear_glass(1.5f));
+    studio.add_sheet({0, 1.5f, -2.9f}, {1, 0, 0}, {0, 1, 0}, test::mirror(0.9f));
+    studio.add_ball({0.5f, 2.5f, 0}, 0.15f, 8, test::glowing(30.0f));
+    studio.add_sheet({-1, 2.9f, 1}, {0.3f, 0, 0}, {0, 0, 0.3f}, test::glowing(5.0f));
+    studio.add_lamp(
+        {.name = {}, .shape = world::LampShape::Point, .position = {-2, 2, 1}, .intensity = {1, 2, 3}});
+}
+
+render::Camera view() {
+    return {.position = {0.5f, 1.5f, 2.75f}, .yaw = 0.1f, .pitch = -0.15f, .fov_y = 1.0f};
+}
+
+TEST(PathSameBits, OneTwoAndEightThreadsMakeOnePicture) {
+    Studio studio;
+    furnish(studio);
+    studio.open();
+    for (const auto sampler : {render::SampleKind::Sobol, render::SampleKind::BlueNoise}) {
+        render::PathSettings settings = test::reference(2);
+        settings.sampler = sampler;
+        const Image one = test::path_picture(studio, view(), 50, 34, settings, 3);
+        for (const int threads : {2, 8})
+            EXPECT_EQ(one.pixels,
+                      test::path_picture(studio, view(), 50, 34, settings, 3, Jobs(threads)).pixels);
+        EXPECT_NE(one.pixels, test::path_picture(studio, view(), 50, 34, settings, 4).pixels);
+    }
+}
+
+TEST(PathSameBits, EveryIsaMakesOnePicture) {
+    std::vector<Image> pictures;
+    for (const rc::Isa isa : ::test::supported_isas()) {
+        const ::test::IsaScope scope(isa);
+        Studio studio;
+        furnish(studio);
+        studio.open();
+        pictures.push_back(test::path_picture(studio, view(), 50, 34, test::reference(2)));
+        EXPECT_EQ(pictures[0].pixels, pictures.back().pixels) << rc::isa_name(isa);
+    }
+}
+
+// A pixel does not know which other pixels are in the picture: only lens and place count.
+TEST(PathSameBits, PlanesSumToThePictureAndChangeNothing) {
+    Studio studio;
+    furnish(studio);
+    studio.open();
+    render::PathSettings settings = test::reference(4);
+    const Image plain = test::path_picture(studio, view(), 48, 32, settings);
+    settings.fills_planes = true;
+    render::Film film(48, 32);
+    render::render_path({studio.level, studio.snapshot, studio.prepared}, view(), settings, 0, Jobs(2), film);
+    EXPECT_EQ(plain.pixels, film.radiance.pixels);
+    const render::FilmPlanes& planes = film.planes;
+    std::size_t surfaces = 0, direct = 0, indirect = 0, specular = 0;
+    for (std::size_t i = 0; i < planes.part.size(); ++i) {
+        const glm::vec3 sum = planes.direct.pixels[i] + planes.indirect.pixels[i] +
+                              planes.specular.pixels[i] + planes.clean.pixels[i];
+        EXPECT_NEAR(sum.y, film.radiance.pixels[i].y, 1e-5f * (1.0f + sum.y));
+        direct += planes.direct.pixels[i].y > 0.0f;
+        indirect += planes.indirect.pixels[i].y > 0.0f;
+        specular += planes.specular.pixels[i].y > 0.0f;
+        if (planes.part[i] == render::FilmPlanes::kSky) continue;
+        ++surfaces;
+        EXPECT_NEAR(glm::length(planes.normal[i]), 1.0f, 1e-4f);
+        EXPECT_LT(glm::dot(planes.geometric[i], planes.position[i] - planes.eye), 1e-3f);
+        EXPECT_EQ(planes.position[i], planes.previous[i]);
+    }
+    EXPECT_GT(surfaces, planes.part.size() * 9 / 10);
+    EXPECT_GT(direct, planes.part.size() / 2);
+    EXPECT_GT(indirect, planes.part.size() / 2);
+    EXPECT_GT(specular, planes.part.size() / 50);
+}
+
+// What a plane mirror shows lies straight ahead, behind it.
+TEST(PathSameBits, PlanesUnfoldMirrors) {
+    Studio studio;
+    studio.add_sheet({0, 0, -2}, {3, 0, 0}, {0, 3, 0}, test::mirror(0.9f));
+    const std::uint32_t wall =
+        studio.add_sheet({0, 0, 3}, {0, 3, 0}, {3, 0, 0}, test::matte(glm::vec3(0.5f)));
+    studio.open();
+    render::PathSettings settings = test::reference(1);
+    settings.fills_planes = true;
+    settings.jitters = false;
+    render::Film film(9, 9);
+    const render::Camera camera{.position = {0, 0, 0}, .fov_y = 0.8f};
+    render::render_path({studio.level, studio.snapshot, studio.prepared}, camera, settings, 0, Jobs(1), film);
+    for (std::size_t i = 0; i < film.planes.part.size(); ++i) {
+        EXPECT_EQ(film.planes.part[i], wall);
+        EXPECT_NEAR(film.planes.position[i].z, -7.0f, 1e-4f);  // 2 to the mirror, 5 back to the wall
+        EXPECT_NEAR(film.planes.normal[i].z, 1.0f, 1e-5f);
+    }
+}
+
+TEST(PathSameBits, NoMaterialHoweverBrokenMakesAPixelThatIsNotANumber) {
+    const float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
+    for (const float bad : {kNan, kInf, -1.0f}) {
+        for (int which = 0; which < 10; ++which) {
+            Studio studio;
+            furnish(studio);
+            world::Material material = test::clear_glass(1.5f);
+            material.transmission = which % 2 == 0 ? 0.5f : 0.0f;
+            float* const numbers[] = {
+                &material.base_color.x, &material.base_color.w,        &material.metallic,
+                &material.roughness,    &material.transmission,        &material.ior,
+                &material.specular,     &material.attenuation_color.y, &material.attenuation_distance,
+                &material.emission.z};
+            *numbers[which] = bad;
+            material.alpha_mode = which == 1 ? world::AlphaMode::Blend : world::AlphaMode::Opaque;
+            studio.add_box({-0.4f, 0.3f, 0.2f}, {0.7f, 1.4f, 0.9f}, material);
+            studio.open();
+            for (const bool is_realtime : {false, true}) {
+                render::PathSettings settings = is_realtime ? render::realtime_path() : test::reference(2);
+                for (const glm::vec3& pixel : test::path_picture(studio, view(), 12, 8, settings).pixels) {
+                    EXPECT_TRUE(std::isfinite(pixel.x) && std::isfinite(pixel.y) && std::isfinite(pixel.z))
+                        << "number " << which << " is " << bad;
+                    EXPECT_GE(pixel.y, 0.0f);
+                }
+            }
+        }
+    }
+}
+
+TEST(PathSameBits, ABlackSceneIsBlackAndAnEmptyOneIsSky) {
+    Studio black;
+    black.add_box({-1, -1, -1}, {1, 1, 1}, test::matte(glm::vec3(0.0f)), true);
+    black.open();
+    for (const glm::vec3& pixel :
+         test::path_picture(black, test::narrow({0, 0, 0}), 4, 4, test::reference(4)).pixels)
+        EXPECT_EQ(pixel, glm::vec3(0.0f));
+}
+
+}  // namespace
+}  // namespace gh

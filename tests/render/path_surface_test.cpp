@@ -1,0 +1,370 @@
+// Surfaces: nothing gained, nothing lost, in furnaces, slabs and mirrors; and samplers that do what they say.
+#include "base/random.h"
+#include "path_studio.h"
+#include "render/bsdf.h"
+#include "render/fresnel.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+namespace gh {
+namespace {
+
+using render::Bsdf;
+using test::expect_mean;
+using test::means;
+using test::Studio;
+
+world::Material metal(float roughness, float albedo = 1.0f) {
+    world::Material material = test::mirror(albedo);
+    material.roughness = roughness;
+    return material;
+}
+
+// Something to be shaded, facing +z.
+render::ShadingPoint facing_z(const world::Material& material) {
+    render::ShadingPoint at;
+    at.material = &material;
+    at.geometric = at.normal = at.smooth = {0, 0, 1};
+    at.base_color = glm::vec3(material.base_color);
+    at.metallic = material.metallic;
+    at.roughness = material.roughness;
+    return at;
+}
+
+glm::vec3 tilted(float cosine, float turn = 0.3f) {
+    const float sine = std::sqrt(1.0f - cosine * cosine);
+    return {sine * std::cos(turn), sine * std::sin(turn), cosine};
+}
+
+const render::GlossEnergy& energy() {
+    static const render::GlossEnergy table;
+    return table;
+}
+
+// Mean weight over stratified samples of an opaque surface: the albedo.
+double albedo_of(const Bsdf& bsdf, int side = 48) {
+    double sum = 0.0;
+    Random random(7);
+    for (int i = 0; i < side; ++i) {
+        for (int j = 0; j < side; ++j) {
+            const glm::vec2 u((static_cast<float>(i) + random.unit()) / static_cast<float>(side),
+                              (static_cast<float>(j) + random.unit()) / static_cast<float>(side));
+            // Every lobe by itself, as often as it is picked: no chance in that.
+            float below = 0.0f;
+            for (const render::Lobe lobe :
+                 {render::Lobe::Diffuse, render::Lobe::Gloss, render::Lobe::Multi}) {
+                const float p = bsdf.probability(lobe);
+                if (!(p > 0.0f)) continue;
+                sum += static_cast<double>(p * bsdf.sample(below + 0.5f * p, u).weight.y);
+                below += p;
+            }
+        }
+    }
+    return sum / (side * side);
+}
+
+TEST(PathSurface, ALambertFurnaceGivesItsAlbedo) {
+    const render::Environment light = test::even_light();
+    Studio studio;
+    studio.add_sheet(glm::vec3(0.0f), {0, 0, 10}, {10, 0, 0}, test::matte(glm::vec3(0.5f)));
+    studio.open();
+    render::PathSettings settings = test::reference(16);
+    settings.environment = &light;
+    settings.lamps = render::LampFinding::MeetOnly;
+    for (const double mean : means(studio, test::looking_down(), settings, 3)) EXPECT_NEAR(mean, 0.5, 1e-6);
+}
+
+TEST(PathSurface, WhiteMetalGivesAllLightBackAtAnyRoughness) {
+    for (const float alpha : {1e-4f, 1e-3f, 1e-2f, 0.04f, 0.1f, 0.25f, 0.5f, 0.8f, 1.0f}) {
+        const world::Material material = metal(std::sqrt(alpha));
+        const render::ShadingPoint at = facing_z(material);
+        for (const float cosine : {0.1f, 0.3f, 0.6f, 0.9f, 1.0f}) {
+            const Bsdf bsdf(at, tilted(cosine), {}, energy());
+            EXPECT_NEAR(albedo_of(bsdf, 96), 1.0, 4e-3) << "alpha " << alpha << " cosine " << cosine;
+        }
+    }
+}
+
+// The same as a picture, averaged over the hemisphere's cosine: what a furnace shows.
+TEST(PathSurface, AMetalFurnaceIsInvisible) {
+    const render::Environment light = test::even_light();
+    for (const float alpha : {1e-4f, 1e-2f, 0.1f, 1.0f}) {
+        Studio studio;
+        studio.add_sheet(glm::vec3(0.0f), {0, 0, 10}, {10, 0, 0}, metal(std::sqrt(alpha)));
+        studio.open();
+        render::PathSettings settings = test::reference(512);
+        settings.environment = &light;
+        settings.lamps = render::LampFinding::MeetOnly;
+        expect_mean(means(studio, test::narrow({0, 0.5f, 0}, 0, -1.1f), settings, 8), 1.0, 5e-3,
+                    "alpha " + std::to_string(alpha));
+    }
+}
+
+TEST(PathSurface, NoSurfaceGivesMoreThanItGets) {
+    for (const float metallic : {0.0f, 0.5f, 1.0f}) {
+        for (const float roughness : {0.0f, 0.05f, 0.2f, 0.5f, 1.0f}) {
+            world::Material material = metal(roughness);
+            material.metallic = metallic;
+            const render::ShadingPoint at = facing_z(material);
+            for (const float cosine : {0.02f, 0.2f, 0.7f, 1.0f}) {
+                const Bsdf bsdf(at, tilted(cosine), {}, energy());
+                EXPECT_LT(albedo_of(bsdf), 1.0 + 6e-3) << metallic << " " << roughness << " " << cosine;
+            }
+        }
+    }
+}
+
+// A white base below a coat loses only what the coat's edges hide.
+TEST(PathSurface, AWhiteBaseUnderACoatLosesNothingOnAverage) {
+    for (const float roughness : {0.0f, 0.1f, 0.4f, 1.0f}) {
+        world::Material material;
+        material.roughness = roughness;
+        const render::ShadingPoint at = facing_z(material);
+        for (const float cosine : {0.2f, 0.6f, 1.0f}) {
+            const Bsdf bsdf(at, tilted(cosine), {}, energy());
+            EXPECT_NEAR(albedo_of(bsdf), 1.0, 6e-3) << roughness << " " << cosine;
+        }
+    }
+}
+
+TEST(PathSurface, LightGoesBothWaysAlike) {
+    for (const float metallic : {0.0f, 0.3f, 1.0f}) {
+        for (const float roughness : {0.15f, 0.5f, 1.0f}) {
+            world::Material material = metal(roughness, 0.7f);
+            material.metallic = metallic;
+            const render::ShadingPoint at = facing_z(material);
+            const glm::vec3 a = tilted(0.3f, 0.1f), b = tilted(0.8f, 2.0f);
+            glm::vec3 there(0.0f), back(0.0f);
+            for (const render::LobeValue& v : Bsdf(at, a, {}, energy()).value(b)) there += v.value / b.z;
+            for (const render::LobeValue& v : Bsdf(at, b, {}, energy()).value(a)) back += v.value / a.z;
+            EXPECT_NEAR(there.y / back.y, 1.0f, 2e-5f) << metallic << " " << roughness;
+        }
+    }
+}
+
+// Bent light goes both ways alike, but for the squeeze by eta^2.
+TEST(PathSurface, RoughGlassIsReciprocal) {
+    world::Material material = test::clear_glass(1.5f);
+    material.roughness = 0.5f;
+    const render::ShadingPoint at = facing_z(material);
+    const glm::vec3 above = tilted(0.8f), below = glm::vec3(1, 1, -1) * tilted(0.7f, 3.3f);
+    const Bsdf from_above(at, above, {.eta = 1.5f}, energy());
+    render::ShadingPoint other = at;
+    other.geometric = other.normal = other.smooth = {0, 0, -1};
+    const Bsdf from_below(other, below, {.eta = 1.0f / 1.5f}, energy());
+    const auto glass = static_cast<std::size_t>(render::Lobe::Glass);
+    const float down = from_above.value(below)[glass].value.y / std::abs(below.z);
+    const float up = from_below.value(above)[glass].value.y / above.z;
+    EXPECT_GT(down, 1e-3f);
+    EXPECT_NEAR(down * 1.5f * 1.5f / up, 1.0f, 1e-4f);
+}
+
+// Pearson's test of the directions a lobe gives against the density it claims, over cells of the sphere.
+void expect_directions_fit(const Bsdf& bsdf, const std::string& what) {
+    constexpr int kRows = 12, kColumns = 16, kSamples = 60'000, kFine = 12;
+    std::vector<double> seen(kRows * kColumns, 0.0), expected(kRows * kColumns, 0.0);
+    Random random(11);
+    for (int i = 0; i < kSamples; ++i) {
+        const float u_lobe = random.unit();
+        const glm::vec2 u(random.unit(), random.unit());
+        const render::BsdfSample s = bsdf.sample(u_lobe, u);
+        if (!(s.density > 0.0f)) continue;
+        const int row = std::min(kRows - 1, static_cast<int>((0.5f - 0.5f * s.direction.z) * kRows));
+        const float turn = std::atan2(s.direction.y, s.direction.x) / 6.2831853f + 0.5f;
+        const int column = std::min(kColumns - 1, static_cast<int>(turn * kColumns));
+        seen[static_cast<std::size_t>(row * kColumns + column)] += 1.0;
+    }
+    for (int r = 0; r < kRows * kFine; ++r) {
+        for (int c = 0; c < kColumns * kFine; ++c) {
+            const float z = 1.0f - 2.0f * (static_cast<float>(r) + 0.5f) / (kRows * kFine);
+            const float turn = ((static_cast<float>(c) + 0.5f) / (kColumns * kFine) - 0.5f) * 6.2831853f;
+            const float sine = std::sqrt(1.0f - z * z);
+            double density = 0.0;
+            for (const render::LobeValue& v : bsdf.value({sine * std::cos(turn), sine * std::sin(turn), z}))
+                density += static_cast<double>(v.density);
+            expected[static_cast<std::size_t>(r / kFine * kColumns + c / kFine)] +=
+                density * 4.0 * 3.14159265 / (kRows * kFine * kColumns * kFine) * kSamples;
+        }
+    }
+    double chi2 = 0.0, rest_seen = 0.0, rest_expected = 0.0;
+    int cells = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        if (expected[i] < 20.0) {
+            rest_seen += seen[i];
+            rest_expected += expected[i];
+            continue;
+        }
+        chi2 += (seen[i] - expected[i]) * (seen[i] - expected[i]) / expected[i];
+        ++cells;
+    }
+    EXPECT_LT(std::abs(rest_seen - rest_expected), 6.0 * std::sqrt(rest_expected) + 20.0) << what;
+    // Wilson and Hilferty: the cube root is nearly normal.
+    const double z = (std::cbrt(chi2 / cells) - (1.0 - 2.0 / (9.0 * cells))) / std::sqrt(2.0 / (9.0 * cells));
+    EXPECT_LT(z, 4.0) << what << ": chi2 " << chi2 << " over " << cells << " cells";
+    EXPECT_GT(cells, 8) << what;
+}
+
+TEST(PathSurface, DirectionsComeAsOftenAsTheirDensitySays) {
+    for (const float roughness : {0.5f, 0.8f, 1.0f}) {
+        for (const float cosine : {0.3f, 0.9f}) {
+            const std::string what =
+                "roughness " + std::to_string(roughness) + " cosine " + std::to_string(cosine);
+            const world::Material shiny = metal(roughness);
+            const render::ShadingPoint at = facing_z(shiny);
+            expect_directions_fit(Bsdf(at, tilted(cosine), {}, energy()), "metal " + what);
+            world::Material coated;
+            coated.roughness = roughness;
+            const render::ShadingPoint on_coat = facing_z(coated);
+            expect_directions_fit(Bsdf(on_coat, tilted(cosine), {}, energy()), "coat " + what);
+            world::Material glass = test::clear_glass(1.5f);
+            glass.roughness = roughness;
+            const render::ShadingPoint on_glass = facing_z(glass);
+            expect_directions_fit(Bsdf(on_glass, tilted(cosine), {.eta = 1.5f}, energy()),
+                                  "into glass " + what);
+            expect_directions_fit(Bsdf(on_glass, tilted(cosine), {.eta = 1.0f / 1.5f}, energy()),
+                                  "out of glass " + what);
+            expect_directions_fit(Bsdf(on_glass, tilted(cosine), {.eta = 1.5f, .is_thin = true}, energy()),
+                                  "sheet " + what);
+        }
+    }
+}
+
+// A sample's weight is its value over its density.
+TEST(PathSurface, WeightsAreValuesOverDensities) {
+    Random random(3);
+    for (const float roughness : {0.1f, 0.5f, 1.0f}) {
+        world::Material material = test::clear_glass(1.5f);
+        material.transmission = 0.4f;
+        material.metallic = 0.2f;
+        material.base_color = {0.9f, 0.6f, 0.3f, 1.0f};
+        material.roughness = roughness;
+        const render::ShadingPoint at = facing_z(material);
+        const Bsdf bsdf(at, tilted(0.6f), {.eta = 1.5f}, energy());
+        for (int i = 0; i < 2000; ++i) {
+            const float u_lobe = random.unit();
+            const glm::vec2 u(random.unit(), random.unit());
+            const render::BsdfSample s = bsdf.sample(u_lobe, u);
+            if (!(s.weight.y > 0.0f)) continue;
+            const render::LobeValue v = bsdf.value(s.direction)[static_cast<std::size_t>(s.lobe)];
+            EXPECT_NEAR(v.density / s.density, 1.0f, 5e-3f) << static_cast<int>(s.lobe);
+            EXPECT_NEAR(v.value.y / v.density / s.weight.y, 1.0f, 5e-3f) << static_cast<int>(s.lobe);
+        }
+    }
+}
+
+TEST(PathSurface, GlossGoesOverIntoAMirror) {
+    world::Material smooth = metal(0.0f, 0.8f), rough = metal(0.0101f, 0.8f);
+    const render::ShadingPoint at = facing_z(smooth), beside = facing_z(rough);
+    for (const float cosine : {0.2f, 1.0f}) {
+        EXPECT_NEAR(albedo_of(Bsdf(at, tilted(cosine), {}, energy())),
+                    albedo_of(Bsdf(beside, tilted(cosine), {}, energy())), 1e-3);
+    }
+}
+
+TEST(PathSurface, AGlassBallInAnEvenLightIsInvisibleAndBrightWithin) {
+    const render::Environment light = test::even_light();
+    Studio studio;
+    studio.add_ball(glm::vec3(0.0f), 1.0f, 48, test::clear_glass(1.5f));
+    studio.open();
+    render::PathSettings settings = test::reference(64);
+    settings.environment = &light;
+    settings.uses_roulette = false;
+    settings.max_depth = 120;
+    for (const float x : {0.0f, 0.5f, 0.8f}) {
+        for (const double mean : means(studio, test::narrow({x, 0.03f, 3.0f}), settings, 2))
+            EXPECT_NEAR(mean, 1.0, 1e-4) << x;
+    }
+    for (const double mean : means(studio, test::narrow({0.1f, 0.05f, 0.2f}, 0.4f), settings, 2))
+        EXPECT_NEAR(mean, 2.25, 3e-4);
+}
+
+TEST(PathSurface, APaneSharesLightByFresnel) {
+    for (const bool is_solid : {false, true}) {
+        for (const bool is_split : {false, true}) {
+            Studio studio;
+            if (is_solid) {
+                studio.add_box({-1, -1, -0.1f}, {1, 1, 0.1f}, test::clear_glass(1.5f));
+            } else {
+                studio.add_sheet(glm::vec3(0.0f), {1, 0, 0}, {0, 1, 0}, test::clear_glass(1.5f));
+            }
+            studio.add_sheet({0, 0, -2}, {4, 0, 0}, {0, 4, 0}, test::glowing(1.0f));
+            studio.open();
+            render::PathSettings settings = test::reference(256);
+            settings.splits_glass = is_split;
+            settings.max_depth = 24;
+            settings.uses_roulette = false;
+            expect_mean(means(studio, test::narrow({0, 0, 2}), settings, 8), 12.0 / 13.0, 4e-3,
+                        is_solid ? "solid" : "thin");
+        }
+    }
+}
+
+TEST(PathSurface, ADarkSlabTakesItsShareByBeersLaw) {
+    Studio studio;
+    world::Material glass = test::clear_glass(1.5f);
+    glass.attenuation_color = glm::vec3(0.5f);
+    glass.attenuation_distance = 0.2f;
+    studio.add_box({-1, -1, -0.1f}, {1, 1, 0.1f}, glass);
+    studio.add_sheet({0, 0, -2}, {4, 0, 0}, {0, 4, 0}, test::glowing(1.0f));
+    studio.open();
+    render::PathSettings settings = test::reference(256);
+    settings.splits_glass = true;
+    const double a = 0.5, r = 0.04;
+    expect_mean(means(studio, test::narrow({0, 0, 2}), settings, 12),
+                (1 - r) * (1 - r) * a / (1 - r * r * a * a), 1e-3);
+}
+
+TEST(PathSurface, BeyondTheCriticalAngleEverythingIsMirrored) {
+    const world::Material glass = test::clear_glass(1.5f);
+    const render::ShadingPoint at = facing_z(glass);
+    const double critical = std::asin(1.0 / 1.5);
+    for (const double off : {1e-6, 1e-4, 0.1, 0.7}) {
+        const auto cosine = static_cast<float>(std::cos(critical + off));
+        const Bsdf bsdf(at, tilted(cosine), {.eta = 1.0f / 1.5f}, energy());
+        for (const float u : {0.0f, 0.5f, 0.99999994f}) {
+            const render::BsdfSample s = bsdf.sample(u, glm::vec2(0.5f));
+            EXPECT_FALSE(s.passes) << off;
+            EXPECT_EQ(s.weight, glm::vec3(1.0f)) << off;
+        }
+    }
+    const Bsdf below(at, tilted(static_cast<float>(std::cos(critical - 1e-3))), {.eta = 1.0f / 1.5f},
+                     energy());
+    EXPECT_TRUE(below.sample(0.99999994f, glm::vec2(0.5f)).passes);
+}
+
+// Glass in glass of the same index, and two bodies that share a wall, leave the background as it is.
+TEST(PathSurface, NestedAndMatchedGlassCannotBeSeen) {
+    Studio studio;
+    studio.add_sheet({0, 0, -3}, {4, 0, 0}, {0, 4, 0}, test::glowing(1.0f));
+    studio.add_box({-1, -1, -1}, {1, 1, 1}, test::clear_glass(1.0f));
+    studio.add_box({-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}, test::clear_glass(1.0f));
+    studio.add_box({-1, -1, -2}, {1, 1, -1}, test::clear_glass(1.0f));
+    studio.open();
+    for (const double mean : means(studio, test::narrow({0.1f, 0.1f, 2}), test::reference(16), 2))
+        EXPECT_NEAR(mean, 1.0, 1e-6);
+}
+
+TEST(PathSurface, ASheetOfGlassBeforeALampLetsItsShareThroughHoweverItIsFound) {
+    for (const auto finding :
+         {render::LampFinding::Both, render::LampFinding::AskOnly, render::LampFinding::MeetOnly}) {
+        Studio studio;
+        studio.add_sheet(glm::vec3(0.0f), {0, 0, 10}, {10, 0, 0}, test::matte(glm::vec3(1.0f)));
+        studio.add_sheet({0, 2, 0}, {0.02f, 0, 0}, {0, 0, 0.02f}, test::glowing(1000.0f));
+        studio.open();
+        render::PathSettings settings = test::reference(finding == render::LampFinding::MeetOnly ? 1024 : 64);
+        settings.lamps = finding;
+        settings.max_depth = 2;
+        const test::Moments bare = test::moments(means(studio, test::looking_down(), settings, 8));
+        studio.add_sheet({0, 1, 0}, {3, 0, 0}, {0, 0, 3}, test::clear_glass(1.5f));
+        studio.open();
+        const test::Moments behind = test::moments(means(studio, test::looking_down(), settings, 8));
+        const double error = 5.0 * (bare.error + behind.error) / bare.mean;
+        EXPECT_NEAR(behind.mean / bare.mean, 0.923077, error + 1e-3);
+    }
+}
+
+}  // namespace
+}  // namespace gh
