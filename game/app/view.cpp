@@ -118,9 +118,8 @@ void View::expose_next(const render::SceneView& scene, const render::Camera& cam
 }
 
 void View::expose(const render::SceneView& scene, const render::Camera& camera,
-                  const render::PathSettings& settings, std::uint32_t frame, const Jobs& jobs,
-                  const world::Snapshot* before) {
-    render::render_path(scene, camera, settings, frame, jobs, film_, before);
+                  const render::PathSettings& settings, std::uint32_t frame, const Jobs& jobs) {
+    render::render_path(scene, camera, settings, frame, jobs, film_);
     is_added_up_ = false;
     if (settings.fills_planes) denoiser_.denoise(film_, jobs);
 }

@@ -52,10 +52,9 @@ class View {
     void expose_next(const render::SceneView& scene, const render::Camera& camera,
                      render::WhittedSettings settings, std::uint32_t frame, glm::ivec2 shown,
                      const Jobs& jobs);
-    // By path tracing; `before` is the snapshot of the picture before, or null. Denoised if it fills planes.
+    // By path tracing. Denoised if it fills planes.
     void expose(const render::SceneView& scene, const render::Camera& camera,
-                const render::PathSettings& settings, std::uint32_t frame, const Jobs& jobs,
-                const world::Snapshot* before = nullptr);
+                const render::PathSettings& settings, std::uint32_t frame, const Jobs& jobs);
     void forget() {
         upscaler_.forget();
         denoiser_.forget();

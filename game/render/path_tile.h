@@ -30,7 +30,6 @@ struct PathFrame {
     const PathSettings& settings;
     const FrameLight& light;
     const LightSet& lights;
-    const world::Snapshot* before;
     Lens lens;
     std::uint32_t number = 0;
     int width = 0, height = 0;

@@ -23,8 +23,8 @@ void PathTile::note_mirror(const Path& path, const ShadingPoint& at, bool passes
 }
 
 glm::vec3 PathTile::position_before(const ShadingPoint& at, const rc::Hit& hit) const {
-    if (frame_.before == nullptr) return at.surface.position;
-    const rc::Scene& scene = *frame_.before->scene;
+    if (frame_.view.before == nullptr) return at.surface.position;
+    const rc::Scene& scene = *frame_.view.before->scene;
     if (hit.instance >= scene.instance_count()) return at.surface.position;
     const std::array<glm::vec3, 3> corner = scene.triangle(hit.instance, hit.primitive);
     const glm::vec3 local = corner[0] + (corner[1] - corner[0]) * hit.u + (corner[2] - corner[0]) * hit.v;

@@ -20,7 +20,7 @@ PathSettings realtime_path() {
 }
 
 void render_path(const SceneView& scene, const Camera& camera, const PathSettings& settings,
-                 std::uint32_t frame, const Jobs& jobs, Film& film, const world::Snapshot* before) {
+                 std::uint32_t frame, const Jobs& jobs, Film& film) {
     EXPECTS(settings.samples_per_pixel >= 1 && settings.samples_per_pixel <= 65536);
     EXPECTS(settings.max_depth >= 0 && settings.max_depth < 200);
     const int width = film.radiance.width, height = film.radiance.height;
@@ -32,7 +32,6 @@ void render_path(const SceneView& scene, const Camera& camera, const PathSetting
                            .settings = settings,
                            .light = light,
                            .lights = lights,
-                           .before = before,
                            .lens = Lens(camera, width, height),
                            .number = frame,
                            .width = width,

@@ -59,9 +59,8 @@ struct PathSettings {
 // What filters and pictures at 30 a second like best.
 [[nodiscard]] PathSettings realtime_path();
 
-// Fills film.radiance (of the size it has), film.stats and, if asked for, film.planes. `before` is the snapshot of the
-// frame before, for where things were; null: nothing has moved.
+// Fills film.radiance (of the size it has), film.stats and, if asked for, film.planes.
 void render_path(const SceneView& scene, const Camera& camera, const PathSettings& settings,
-                 std::uint32_t frame, const Jobs& jobs, Film& film, const world::Snapshot* before = nullptr);
+                 std::uint32_t frame, const Jobs& jobs, Film& film);
 
 }  // namespace gh::render
