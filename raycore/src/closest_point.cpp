@@ -45,7 +45,7 @@ double stretch_of(const double (&rows)[12]) {
 class Search {
   public:
     Search(const Scene& scene, const glm::vec3& point, float max_distance)
-        : scene_(scene.data()), point_(point), limit_(max_distance) {}
+        : scene_(scene.data()), point_(point), limit_(double(max_distance)) {}
 
     Nearest run(LayerMask layers) {
         walk(
