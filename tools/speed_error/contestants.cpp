@@ -1,5 +1,6 @@
 #include "contestants.h"
 
+#include "render/path_tracer.h"
 #include "render/whitted.h"
 
 #include <fmt/format.h>
@@ -22,6 +23,21 @@ Contestant whitted(const std::string& family, int samples, WhittedSettings setti
             }};
 }
 
+Contestant path(const std::string& family, const std::string& truth, int samples,
+                gh::render::PathSettings settings) {
+    settings.samples_per_pixel = samples;
+    return {.name = fmt::format("{}, {} spp", family, samples),
+            .family = family,
+            .truth = truth,
+            .samples_per_pixel = samples,
+            .render = [settings](const auto& scene, const auto& camera, std::uint32_t seed, const auto& jobs,
+                                 auto& film) {
+                gh::render::PathSettings seeded = settings;
+                seeded.seed = seed;
+                gh::render::render_path(scene, camera, seeded, 0, jobs, film);
+            }};
+}
+
 }  // namespace
 
 std::vector<Contestant> contestants(bool is_quick) {
@@ -36,10 +52,18 @@ std::vector<Contestant> contestants(bool is_quick) {
         all.push_back(whitted(fmt::format("whitted adaptive {:.2g}", contrast), 1,
                               {.is_adaptive = true, .contrast = contrast}));
     }
+    using gh::render::SampleKind;
+    for (const int samples : counts) {
+        all.push_back(path("path, Sobol", "path", samples, {.sampler = SampleKind::Sobol}));
+        all.push_back(path("path, blue noise", "path", samples, {.sampler = SampleKind::BlueNoise}));
+        all.push_back(path("path, jittered", "path", samples, {.sampler = SampleKind::Jittered}));
+        all.push_back(path("path, iid", "path", samples, {.sampler = SampleKind::Iid}));
+    }
     return all;
 }
 
 Contestant truth_of(const std::string& truth, int samples_per_pixel) {
+    if (truth == "path") return path(truth, truth, samples_per_pixel, {});
     return whitted(truth, samples_per_pixel, {.min_weight = 1e-4f, .shares_samples = false});
 }
 
