@@ -13,22 +13,6 @@ namespace {
 
 constexpr std::size_t kBlock = 8192;
 
-void count(TriangleFault fault, MeshReport& report) {
-    switch (fault) {
-        case TriangleFault::None:
-            break;
-        case TriangleFault::IndexOutOfRange:
-            ++report.index_out_of_range;
-            break;
-        case TriangleFault::NotFinite:
-            ++report.not_finite;
-            break;
-        case TriangleFault::ZeroArea:
-            ++report.zero_area;
-            break;
-    }
-}
-
 BuildRef ref_around(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, std::size_t item) {
     BuildRef ref{};
     for (std::size_t k = 0; k < 3; ++k) {

@@ -33,23 +33,27 @@ TriangleFault fault_of(std::span<const glm::vec3> positions, const glm::uvec3& t
     return fault_of(positions[triangle.x], positions[triangle.y], positions[triangle.z]);
 }
 
+void count(TriangleFault fault, MeshReport& report) {
+    switch (fault) {
+        case TriangleFault::None:
+            break;
+        case TriangleFault::IndexOutOfRange:
+            ++report.index_out_of_range;
+            break;
+        case TriangleFault::NotFinite:
+            ++report.not_finite;
+            break;
+        case TriangleFault::ZeroArea:
+            ++report.zero_area;
+            break;
+    }
+}
+
 MeshReport check_mesh(const MeshView& mesh) {
     MeshReport report;
     report.triangles = mesh.triangles.size();
     for (const glm::uvec3& triangle : mesh.triangles) {
-        switch (fault_of(mesh.positions, triangle)) {
-            case TriangleFault::None:
-                break;
-            case TriangleFault::IndexOutOfRange:
-                ++report.index_out_of_range;
-                break;
-            case TriangleFault::NotFinite:
-                ++report.not_finite;
-                break;
-            case TriangleFault::ZeroArea:
-                ++report.zero_area;
-                break;
-        }
+        count(fault_of(mesh.positions, triangle), report);
     }
     return report;
 }

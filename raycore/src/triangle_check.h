@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernels/build_abi.h"
+#include "raycore/mesh.h"
 
 #include <glm/vec3.hpp>
 
@@ -14,5 +15,6 @@ enum class TriangleFault { None, IndexOutOfRange, NotFinite, ZeroArea };
 
 [[nodiscard]] TriangleFault fault_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 [[nodiscard]] TriangleFault fault_of(std::span<const glm::vec3> positions, const glm::uvec3& triangle);
+void count(TriangleFault fault, MeshReport& report);
 
 }  // namespace rc
