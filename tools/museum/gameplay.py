@@ -62,7 +62,7 @@ def place():
     scene.empty("exit", (0.0, -14.5, 1.2), kind="exit", size=[4.0, 2.4, 1.5])
     for name, x, y, z, turn, wait, look in ROUND:
         scene.empty(name, (x, y, z), turn, kind="patrol", wait_s=wait, look=look)
-    scene.empty("guard_1", (0.0, 4.6, 0.0), 0, kind="guard", patrol=",".join(r[0] for r in ROUND[2:] + ROUND[:2]),
+    scene.empty("guard_1", (-6.2, -1.5, 0.0), -160, kind="guard", patrol=",".join(r[0] for r in ROUND[11:] + ROUND[:11]),
                 model="guard", title="Night guard")
     for name, (at, target, fov) in CAMERAS.items():
         scene.camera(name, at, target, fov)

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/recording.h"
+#include "foyer_story.h"
 #include "load/level_loader.h"
 #include "planner.h"
 #include "sim/geometry.h"
@@ -87,6 +88,24 @@ bool is_a_good_show(const std::vector<input::Command>& run, const Trial& trial) 
     return run.size() <= kLongest && trial.nearest < 7.0f;
 }
 
+// The run that was written for this level, if there is one and it still plays.
+std::optional<std::vector<input::Command>> play_story(const std::string& name,
+                                                      const std::shared_ptr<const world::Level>& level,
+                                                      std::uint32_t seed) {
+    if (name != "foyer") return std::nullopt;
+    tools::Actor thief(level, seed);
+    tools::play_foyer(thief);
+    if (thief.trouble()) {
+        fmt::print("the story of {} breaks off: {}\n", name, *thief.trouble());
+        return std::nullopt;
+    }
+    const Trial trial = tried(level, seed, thief.run());
+    fmt::print("the story of {}: {} in {} ticks, stands still {:.0f} %, a guard {:.1f} m away\n", name,
+               trial.wins ? "wins" : "does not win", thief.run().size(), 100.0f * trial.still, trial.nearest);
+    if (!trial.wins) return std::nullopt;
+    return thief.run();
+}
+
 // Manners of going about it, a burglar's and an artist's: the first that is a good show, else the shortest.
 std::optional<std::vector<input::Command>> find_win(const std::shared_ptr<const world::Level>& level,
                                                     std::uint32_t seed) {
@@ -124,6 +143,8 @@ int main(int argc, char** argv) {
     std::uint32_t seed = 1;
     app.add_option("LEVEL", level_path, "a .glb or .gltf file")->required();
     app.add_option("--out", out, "folder of the recordings");
+    bool story_only = false;
+    app.add_flag("--story", story_only, "do not search for another way when the written one breaks off");
     app.add_option("--seed", seed, "of the simulation");
     CLI11_PARSE(app, argc, argv);
 
@@ -132,9 +153,11 @@ int main(int argc, char** argv) {
     const auto level = std::make_shared<const world::Level>(*std::move(loaded));
     const std::string name = std::filesystem::path(level_path).stem().string();
 
-    const auto win = find_win(level, seed);
+    auto win = play_story(name, level, seed);
+    if (!win && story_only) return complain(name + " is not won by its story");
+    if (!win) win = find_win(level, seed);
     if (!win) return complain(name + " can not be won by any manner this player knows");
-    const auto arrest = tools::plan_arrest(level, seed);
+    auto arrest = tools::plan_arrest(level, seed);
     if (!arrest) return complain("nobody in " + name + " catches a player who walks up to the guard");
     for (const auto& [run, ending] : {std::pair(&*win, "win"), std::pair(&*arrest, "caught")}) {
         const std::filesystem::path path = std::filesystem::path(out) / fmt::format("{}_{}.rec", name, ending);

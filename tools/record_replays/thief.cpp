@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/det_math.h"
+#include "hands.h"
 #include "raycore/query.h"
 #include "sim/doors.h"
 #include "sim/geometry.h"
@@ -24,39 +25,9 @@ using sim::flat;
 using sim::flat_length;
 
 constexpr float kArrived = 0.16f;      // metres from a place to stand
-constexpr float kTurnShare = 0.16f;    // of what is left to turn, a tick: a hand on a mouse
-constexpr float kMostTurn = 0.09f;     // radians a tick
 constexpr float kArmsLength = 1.35f;   // metres from the eye at which a thing is comfortably reached
 constexpr float kFarthestShelter = 12.0f;  // metres
 constexpr float kErrandDetour = 14.0f;  // metres a thief goes out of the way to put out a lamp
-
-// The view turned towards a direction, as quickly as a hand turns it.
-Command turned_towards(const world::PlayerState& player, const glm::vec3& way) {
-    const float yaw = world::radians_from_turn(player.yaw);
-    const float pitch = world::radians_from_turn(player.pitch);
-    const float left = wrap_angle(world::yaw_towards(way) - yaw);
-    const float up = det::atan2(way.y, flat_length(way)) - pitch;
-    return {.yaw = input::quantise_yaw(yaw + std::clamp(left * kTurnShare, -kMostTurn, kMostTurn)),
-            .pitch = input::quantise_pitch(pitch + std::clamp(up * kTurnShare, -kMostTurn, kMostTurn))};
-}
-
-// How well the view looks along a horizontal direction: 1 exactly, 0 sideways.
-float alignment(const world::PlayerState& player, const glm::vec3& way) {
-    const float length = flat_length(way);
-    if (!(length > 0.0f)) return 1.0f;
-    const glm::vec3 forward = world::forward_of_yaw(world::radians_from_turn(player.yaw));
-    return glm::dot(forward, flat(way)) / length;
-}
-
-bool looks_at(const world::PlayerState& player, const glm::vec3& point) {
-    const glm::vec3 way = point - world::eye_of(player);
-    return glm::dot(world::look_of(player), way) > 0.9995f * sim::length_of(way);
-}
-
-// Down now, if it was up a tick ago: the simulation acts on presses.
-void press(const world::PlayerState& player, Button button, Command& command) {
-    if ((player.buttons_before & button) == 0) command.buttons |= button;
-}
 
 // Whether a guard is near enough to hear a step.
 bool is_in_earshot(const world::Level& level, const world::State& state) {
@@ -65,15 +36,6 @@ bool is_in_earshot(const world::Level& level, const world::State& state) {
         if (sim::length_of(state.guards[g].position - state.player.position) < kEarshot) return true;
     }
     return false;
-}
-
-// Whether a thing is on this side of the wall: nothing but glass lies between it and eyes above the place.
-bool is_seen_from(const world::Snapshot& now, const glm::vec3& place, const glm::vec3& thing) {
-    constexpr float kSetIn = 0.15f;  // metres: frames, plates
-    const glm::vec3 eye = place + glm::vec3(0.0f, 1.5f, 0.0f);
-    const rc::Ray ray{.origin = eye, .direction = thing - eye, .t_max = 1.0f};
-    const auto hit = rc::closest_hit(*now.scene, ray, world::Sight);
-    return !hit || (1.0f - hit->t) * sim::length_of(ray.direction) < kSetIn;
 }
 
 template <class Things, class Place>
