@@ -147,8 +147,8 @@ TEST(Walls, EachWallCountsOnceHoweverItIsModelled) {
 
     // A panel of the same part let into the leaf: ( ( ) ) along the ray.
     const std::uint32_t leaf = box(panel, 0.0f, 0);
-    world::Mesh& mesh = panel.level.meshes[panel.part(leaf).mesh];
     const std::uint32_t inner = panel.add_box({-1.0f, -1.0f, 0.05f}, {1.0f, 1.0f, 0.15f}, 0);
+    world::Mesh& mesh = panel.level.meshes[panel.part(leaf).mesh];
     const world::Mesh& extra = panel.level.meshes[panel.part(inner).mesh];
     for (const glm::uvec3& t : extra.triangles) mesh.triangles.push_back(t + glm::uvec3(8));
     mesh.positions.insert(mesh.positions.end(), extra.positions.begin(), extra.positions.end());
