@@ -90,6 +90,10 @@ LightSample LightSet::sample_light(const Light& light, const rc::SurfacePoint& p
         sample.ray = rc::spawn_ray(point, shape.direction, shape.distance);
     } else {
         sample.ray = rc::spawn_ray(point, shape.direction);
+        // From where the ray really starts: parallel to it, a ray passes by some of what is small (.2 % of triangles of
+        // 4 mm, from a floor of 20 m), and nobody else's ray finds it instead.
+        sample.ray.direction =
+            glm::normalize(point.position + shape.direction * shape.distance - sample.ray.origin);
         sample.target_part = light.part;
         sample.target_primitive = light.primitive;
     }
