@@ -3,7 +3,9 @@
 #include "bench_casts.h"
 #include "bench_errors.h"
 #include "bench_queries.h"
+#include "bench_refit.h"
 #include "bench_report.h"
+#include "bench_sah.h"
 #include "bench_scenes.h"
 
 #include "raycore/isa.h"
@@ -23,7 +25,7 @@ struct Options {
     unsigned threads = 2;
     std::size_t batch = 64, rays = 1'000'000;
     bool no_embree = false, no_builds = false, no_queries = false, is_quick = false;
-    bool hard_cases = false, speed_error = false;
+    bool hard_cases = false, speed_error = false, sah = false;
 };
 
 Options read_options(int argc, char** argv) {
@@ -31,7 +33,7 @@ Options read_options(int argc, char** argv) {
     CLI::App app(
         "Rays, builds, refits and casts of raycore beside Embree 3; without --scene, every built-in scene.");
     app.add_option("--scene", options.scenes,
-                   "a glTF file, a raw mesh, or one of: museum interior landscape stadium cloth crowd");
+                   "a glTF file, a raw mesh, or one of: museum interior landscape stadium cloth crowd refit");
     app.add_option("--camera", options.camera, "x,y,z,yaw,pitch,fov in metres and radians")
         ->delimiter(',')
         ->expected(6);
@@ -49,6 +51,7 @@ Options read_options(int argc, char** argv) {
     app.add_flag("--no-queries", options.no_queries, "builds alone");
     app.add_flag("--hard-cases", options.hard_cases, "only the table of rays that must hit");
     app.add_flag("--speed-error", options.speed_error, "only the table of speed against error");
+    app.add_flag("--sah", options.sah, "only how good the trees of the scenes are, beside those of Embree's builders");
     app.add_option("--rays", options.rays, "of the largest hard case; 50000000 asks 150 million in all")
         ->check(CLI::PositiveNumber);
     app.add_flag("--quick", options.is_quick, "under a minute: fewer rays, rounds and scenes");
@@ -70,6 +73,8 @@ std::optional<bench::BenchScene> scene_named(const std::string& name) {
 
 void bench_scene(bench::Report& report, const bench::BenchScene& scene, const Options& options) {
     const bool with_embree = !options.no_embree;
+    if (!options.no_builds) bench::bench_sah(report, scene, with_embree);
+    if (options.sah) return;
     if (!options.no_queries)
         bench::bench_queries(report, scene,
                              {options.rounds, options.keep, options.threads, options.batch, with_embree});
@@ -85,6 +90,8 @@ bool run(bench::Report& report, const Options& options) {
             bench::bench_cloth(report, moving);
         } else if (name == "crowd") {
             bench::bench_crowd(report, moving);
+        } else if (name == "refit") {
+            bench::bench_refit(report, {.rounds = options.rounds});
         } else {
             std::optional<bench::BenchScene> scene = scene_named(name);
             if (!scene) return false;
@@ -108,9 +115,10 @@ int main(int argc, char** argv) {
             return std::fprintf(stderr, "--isa %s: not known here\n", options.isa.c_str()), 2;
     }
     if (options.is_quick) options.rounds = 3, options.keep = 32;
-    const bool is_all = options.scenes.empty() && !options.hard_cases && !options.speed_error;
+    const bool is_all = options.scenes.empty() && !options.hard_cases && !options.speed_error && !options.sah;
+    if (options.sah && options.scenes.empty()) options.scenes = {"museum", "interior", "landscape"};
     if (is_all) {
-        options.scenes = {"museum", "interior", "cloth", "crowd"};
+        options.scenes = {"museum", "interior", "cloth", "crowd", "refit"};
         if (!options.is_quick) options.scenes.insert(options.scenes.begin() + 2, {"landscape", "stadium"});
     }
     bench::Report report;
