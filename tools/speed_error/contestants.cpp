@@ -1,44 +1,147 @@
 #include "contestants.h"
 
+#include "app/film_denoiser.h"
+#include "clocks.h"
+#include "filter/temporal_upscale.h"
 #include "render/path_tracer.h"
 #include "render/whitted.h"
 
 #include <fmt/format.h>
 
+#include <memory>
+#include <utility>
+
 namespace speed_error {
 
 namespace {
 
+using gh::render::Film;
+using gh::render::PathSettings;
+using gh::render::SampleKind;
 using gh::render::WhittedSettings;
+
+// Whitted has one number for frame and seed: runs are so far apart that none meets another.
+constexpr std::uint32_t kFramesOfARun = 4096;
+
+std::uint32_t whitted_number(const Shot& shot) {
+    return shot.seed * kFramesOfARun + shot.frame;
+}
+
+void whitted_frame(const Shot& shot, const WhittedSettings& settings, Film& film) {
+    gh::render::render_whitted(shot.scene, shot.camera, settings, whitted_number(shot), shot.jobs, film);
+}
+
+void path_frame(const Shot& shot, PathSettings settings, Film& film) {
+    settings.seed = shot.seed;
+    gh::render::render_path(shot.scene, shot.camera, settings, shot.frame, shot.jobs, film);
+}
+
+// A way that remembers nothing.
+template <class Render>
+std::function<Run()> single(Render render) {
+    return [render] {
+        return [render](const Shot& shot, Film& film) {
+            const double start = core_ms();
+            render(shot, film);
+            return StageTimes{.render_ms = core_ms() - start};
+        };
+    };
+}
+
+std::string named(const std::string& family, int samples) {
+    return fmt::format("{}, {} spp", family, samples);
+}
 
 Contestant whitted(const std::string& family, int samples, WhittedSettings settings) {
     settings.samples_per_pixel = samples;
-    return {.name = fmt::format("{}, {} spp", family, samples),
-            .family = family,
-            .truth = "whitted",
-            .samples_per_pixel = samples,
-            .render = [settings](const auto& scene, const auto& camera, std::uint32_t seed, const auto& jobs,
-                                 auto& film) {
-                gh::render::render_whitted(scene, camera, settings, seed, jobs, film);
-            }};
+    return {
+        .name = named(family, samples),
+        .family = family,
+        .truth = "whitted",
+        .samples_per_pixel = samples,
+        .begin = single([settings](const Shot& shot, Film& film) { whitted_frame(shot, settings, film); })};
 }
 
-Contestant path(const std::string& family, const std::string& truth, int samples,
-                gh::render::PathSettings settings) {
+Contestant path(const std::string& family, int samples, PathSettings settings) {
     settings.samples_per_pixel = samples;
-    return {.name = fmt::format("{}, {} spp", family, samples),
+    return {.name = named(family, samples),
+            .family = family,
+            .truth = "path",
+            .samples_per_pixel = samples,
+            .begin = single([settings](const Shot& shot, Film& film) { path_frame(shot, settings, film); })};
+}
+
+// As the game shows it: a picture of half the width and height, jittered and added up in the large one.
+std::function<Run()> upscaled_run(const WhittedSettings& settings) {
+    struct Memory {
+        gh::filter::TemporalUpscaler upscaler;
+        Film small;
+    };
+    return [settings] {
+        return [settings, memory = std::make_shared<Memory>()](const Shot& shot, Film& film) {
+            const int width = film.radiance.width, height = film.radiance.height;
+            Film& small = memory->small;
+            if (small.radiance.width != (width + 1) / 2 || small.radiance.height != (height + 1) / 2)
+                small = Film((width + 1) / 2, (height + 1) / 2);
+            WhittedSettings jittered = settings;
+            jittered.jitter = gh::filter::halton_jitter(shot.frame);
+            jittered.notes_things = true;
+            const double start = core_ms();
+            whitted_frame(shot, jittered, small);
+            const double rendered = core_ms();
+            const gh::render::Lens lens(shot.camera, small.radiance.width, small.radiance.height);
+            memory->upscaler.add({.radiance = small.radiance,
+                                  .lens = {.eye = lens.position(),
+                                           .corner = lens.corner(),
+                                           .right = lens.right(),
+                                           .down = lens.down()},
+                                  .jitter = jittered.jitter,
+                                  .part = small.seen.part,
+                                  .position = small.seen.position,
+                                  .previous = small.seen.previous},
+                                 {width, height}, shot.jobs, film.radiance);
+            film.stats = small.stats;
+            return StageTimes{.render_ms = rendered - start, .filter_ms = core_ms() - rendered};
+        };
+    };
+}
+
+std::function<Run()> denoised_run(const PathSettings& settings) {
+    return [settings] {
+        return
+            [settings, denoiser = std::make_shared<gh::app::FilmDenoiser>()](const Shot& shot, Film& film) {
+                const double start = core_ms();
+                path_frame(shot, settings, film);
+                const double rendered = core_ms();
+                denoiser->denoise(film, shot.jobs);
+                return StageTimes{.render_ms = rendered - start, .filter_ms = core_ms() - rendered};
+            };
+    };
+}
+
+Contestant in_a_row(const std::string& family, const std::string& truth, int frames,
+                    std::function<Run()> begin) {
+    return {.name = fmt::format("{}, frame {}", family, frames),
             .family = family,
             .truth = truth,
-            .samples_per_pixel = samples,
-            .render = [settings](const auto& scene, const auto& camera, std::uint32_t seed, const auto& jobs,
-                                 auto& film) {
-                gh::render::PathSettings seeded = settings;
-                seeded.seed = seed;
-                gh::render::render_path(scene, camera, seeded, 0, jobs, film);
-            }};
+            .samples_per_pixel = 1,
+            .frames = frames,
+            .begin = std::move(begin)};
 }
 
 }  // namespace
+
+std::vector<Contestant> moving_contestants() {
+    std::vector<Contestant> all;
+    all.push_back(whitted("whitted", 1, {}));
+    all.push_back(in_a_row("whitted adaptive, upscaled", "whitted", 1, upscaled_run({.is_adaptive = true})));
+    PathSettings unfiltered = gh::render::realtime_path();
+    unfiltered.fills_planes = false;
+    all.push_back(path("path, real time, unfiltered", 1, unfiltered));
+    all.push_back(
+        in_a_row("path, real time, denoised", "path", 1, denoised_run(gh::render::realtime_path())));
+    return all;
+}
 
 std::vector<Contestant> contestants(bool is_quick) {
     std::vector<Contestant> all;
@@ -52,18 +155,26 @@ std::vector<Contestant> contestants(bool is_quick) {
         all.push_back(whitted(fmt::format("whitted adaptive {:.2g}", contrast), 1,
                               {.is_adaptive = true, .contrast = contrast}));
     }
-    using gh::render::SampleKind;
     for (const int samples : counts) {
-        all.push_back(path("path, Sobol", "path", samples, {.sampler = SampleKind::Sobol}));
-        all.push_back(path("path, blue noise", "path", samples, {.sampler = SampleKind::BlueNoise}));
-        all.push_back(path("path, jittered", "path", samples, {.sampler = SampleKind::Jittered}));
-        all.push_back(path("path, iid", "path", samples, {.sampler = SampleKind::Iid}));
+        all.push_back(path("path, Sobol", samples, {.sampler = SampleKind::Sobol}));
+        all.push_back(path("path, blue noise", samples, {.sampler = SampleKind::BlueNoise}));
+        all.push_back(path("path, jittered", samples, {.sampler = SampleKind::Jittered}));
+        all.push_back(path("path, iid", samples, {.sampler = SampleKind::Iid}));
+    }
+    PathSettings unfiltered = gh::render::realtime_path();
+    unfiltered.fills_planes = false;
+    for (const int samples : counts) all.push_back(path("path, real time, unfiltered", samples, unfiltered));
+    for (const int frames : {1, 4, 16}) {
+        all.push_back(
+            in_a_row("path, real time, denoised", "path", frames, denoised_run(gh::render::realtime_path())));
+        all.push_back(
+            in_a_row("whitted adaptive, upscaled", "whitted", frames, upscaled_run({.is_adaptive = true})));
     }
     return all;
 }
 
 Contestant truth_of(const std::string& truth, int samples_per_pixel) {
-    if (truth == "path") return path(truth, truth, samples_per_pixel, {});
+    if (truth == "path") return path(truth, samples_per_pixel, {});
     return whitted(truth, samples_per_pixel, {.min_weight = 1e-4f, .shares_samples = false});
 }
 

@@ -1,15 +1,15 @@
 // Renders views with every contestant, judges each by a reference of many samples, and writes what came out:
-//   build/release/bin/speed_error [SCENE] [--camera NAME ...] [--quick]
+//   build/release/bin/speed_error [SCENE] [--camera NAME ...] [--quick] [--cycles] [--reference PICTURE]
 // Stopped and started again it goes on where it was.
+#include "adaptive_gap.h"
 #include "app/assets.h"
 #include "app/view.h"
-#include "base/hash.h"
 #include "base/progress.h"
-#include "load/level_loader.h"
-#include "render/prepared.h"
+#include "equal_time.h"
+#include "others.h"
+#include "over_time.h"
 #include "report.h"
-#include "spatial/stage.h"
-#include "world/initial_state.h"
+#include "studio.h"
 
 #include "raycore/isa.h"
 
@@ -17,17 +17,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 
 namespace {
 
 using namespace gh;
+using speed_error::Finding;
+using speed_error::Report;
+using speed_error::Row;
 
 struct Options {
-    std::string scene = "foyer", out = "out/speed_error";
+    std::string scene = "foyer", out = "out/speed_error", picture;
     std::vector<std::string> cameras;
-    int width = 320, height = 180, reference_samples = 2048, runs = 3, threads = 0;
-    bool is_quick = false;
+    int width = 320, height = 180, reference_samples = 2048, runs = 3, threads = 0, cycles_samples = 16;
+    bool is_quick = false, asks_cycles = false;
+};
+
+// A view, its camera, and what belongs to it alone.
+struct View {
+    const speed_error::Studio& studio;
+    std::string name;
+    render::Camera camera;
+    std::uint64_t key;
 };
 
 int complain(const std::string& sentence) {
@@ -46,78 +56,116 @@ std::vector<std::string> views_of(const world::Level& level, const Options& opti
     return names;
 }
 
-std::uint64_t scene_key(const world::Level& level, const render::Camera& camera) {
-    Hasher hash;
-    hash.add(level.file_hash);
-    hash.add(camera.position);
-    hash.add(camera.yaw);
-    hash.add(camera.pitch);
-    hash.add(camera.fov_y);
-    return hash.digest();
+Result<speed_error::Reference> truth_of(const View& view, const std::string& truth, const Options& options,
+                                        const Jobs& jobs) {
+    return speed_error::reference(truth,
+                                  {.samples_per_pixel = options.reference_samples,
+                                   .folder = std::filesystem::path(options.out) / "references",
+                                   .view = view.name,
+                                   .scene_key = view.key,
+                                   .width = options.width,
+                                   .height = options.height},
+                                  view.studio.lit_view(), view.camera, jobs);
 }
 
-struct Studio {
-    std::shared_ptr<const world::Level> level;
-    world::Snapshot snapshot;
-    std::unique_ptr<spatial::Stage> stage;
-    render::Prepared prepared;
-};
-
-Result<Studio> open(const std::string& scene, const Jobs& jobs) {
-    const auto path = app::resolve_level(scene);
-    if (!path) return path.error();
-    auto loaded = load::load_level(*path, {.finds_ways = false});
-    if (!loaded) return loaded.error();
-    Studio studio;
-    studio.level = std::make_shared<const world::Level>(*std::move(loaded));
-    jobs.run_in([&] { studio.stage = std::make_unique<spatial::Stage>(studio.level); });
-    studio.snapshot = studio.stage->commit(world::initial_state(*studio.level, 0), jobs);
-    studio.prepared = render::prepare(*studio.level, studio.snapshot, jobs);
-    return studio;
-}
-
-Result<void> judge_view(const Studio& studio, const std::string& name, const Options& options,
-                        const Jobs& jobs, std::vector<speed_error::Row>& rows, const std::string& machine) {
+Result<void> judge_pictures(const View& view, const Options& options, const Jobs& jobs, Report& report) {
     const std::filesystem::path folder = options.out;
-    const render::SceneView scene{*studio.level, studio.snapshot, studio.prepared};
-    const auto camera = app::camera_named(*studio.level, studio.snapshot, name);
-    if (!camera) return camera.error();
-    const std::string view = studio.level->name + (name.empty() ? "" : "_" + name);
     const auto all = speed_error::contestants(options.is_quick);
-    Progress progress(view, all.size());
+    Progress progress(view.name, all.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const speed_error::ReferenceSettings settings{.samples_per_pixel = options.reference_samples,
-                                                      .folder = folder / "references",
-                                                      .view = view,
-                                                      .scene_key = scene_key(*studio.level, *camera),
-                                                      .width = options.width,
-                                                      .height = options.height};
-        const auto truth = speed_error::reference(all[i].truth, settings, scene, *camera, jobs);
+        const auto truth = truth_of(view, all[i].truth, options, jobs);
         if (!truth) return truth.error();
-        const auto is_same = [&](const speed_error::Row& row) {
-            return row.view == view && row.contestant == all[i].name;
+        const auto is_same = [&](const Row& row) {
+            return row.view == view.name && row.contestant == all[i].name;
         };
-        const auto known = std::find_if(rows.begin(), rows.end(), is_same);
-        if (known != rows.end() && known->key == truth->key && known->runs >= options.runs) continue;
-        speed_error::Row wanted;
-        wanted.view = view;
+        const auto known = std::find_if(report.rows.begin(), report.rows.end(), is_same);
+        if (known != report.rows.end() && known->key == truth->key && known->runs >= options.runs) continue;
+        Row wanted;
+        wanted.view = view.name;
         wanted.contestant = all[i].name;
-        auto row = speed_error::measure(all[i], view, *truth, scene, *camera, options.runs, jobs,
-                                        folder / speed_error::picture_name(wanted));
+        auto row = speed_error::measure(all[i], view.name, *truth, view.studio.lit_view(), view.camera,
+                                        options.runs, jobs, folder / speed_error::picture_name(wanted));
         if (!row) return row.error();
-        rows.erase(std::remove_if(rows.begin(), rows.end(), is_same), rows.end());
-        rows.push_back(*std::move(row));
-        if (auto written = speed_error::write_report(folder, rows, machine); !written) return written.error();
+        report.rows.erase(std::remove_if(report.rows.begin(), report.rows.end(), is_same), report.rows.end());
+        report.rows.push_back(*std::move(row));
+        if (auto written = speed_error::write_report(folder, report); !written) return written.error();
         progress.show(i + 1);
     }
     return {};
 }
 
-}  // namespace
+// Nothing to be done where an earlier run left the same finding.
+bool is_known(const Report& report, const std::string& table, const View& view, const std::string& name) {
+    const Finding* known =
+        find(report.findings, {.table = table, .view = view.name, .name = name, .values = {}});
+    return known != nullptr && known->key == view.key;
+}
 
-int main(int argc, char** argv) {
-    Options options;
-    CLI::App app("Renders views in every way and says how wrong each is for what it costs.", "speed_error");
+void judge_motion(const View& view, const Options& options, const Jobs& jobs, Report& report) {
+    for (const speed_error::Contestant& contestant : speed_error::moving_contestants()) {
+        if (is_known(report, "over time", view, contestant.family)) continue;
+        keep(report.findings,
+             speed_error::judge_over_time(contestant, view.studio, view.camera,
+                                          {view.name, view.key, options.width, options.height}, jobs));
+    }
+    if (is_known(report, "adaptive against full sampling, same seed, 640x360", view, "contrast 0.25")) return;
+    for (Finding& gap : adaptive_gaps(view.studio, view.camera, view.name, view.key, jobs))
+        keep(report.findings, std::move(gap));
+}
+
+Result<void> ask_others(const View& view, const Options& options, const Jobs& jobs, Report& report) {
+    if (!options.asks_cycles && options.picture.empty()) return {};
+    const auto own = truth_of(view, "path", options, jobs);
+    if (!own) return own.error();
+    const auto file = app::resolve_level(options.scene);
+    if (!file) return file.error();
+    const speed_error::OtherSettings settings{.view = view.name,
+                                              .key = view.key,
+                                              .scene = *file,
+                                              .folder = options.out,
+                                              .samples = options.cycles_samples,
+                                              .reference_samples = 64 * options.cycles_samples,
+                                              .threads = jobs.threads()};
+    if (!options.picture.empty()) {
+        auto finding = speed_error::against_picture(options.picture, *own, settings, jobs);
+        if (!finding) return finding.error();
+        keep(report.findings, *std::move(finding));
+    }
+    if (options.asks_cycles) {
+        auto finding = speed_error::against_cycles(report.rows, *own, view.camera, settings);
+        if (!finding) return finding.error();
+        keep(report.findings, *std::move(finding));
+    }
+    return {};
+}
+
+Result<void> judge_view(const View& view, const Options& options, const Jobs& jobs, Report& report) {
+    if (auto judged = judge_pictures(view, options, jobs, report); !judged) return judged.error();
+    judge_motion(view, options, jobs, report);
+    for (Finding& gain : speed_error::filter_gains(report.rows)) keep(report.findings, std::move(gain));
+    for (Finding& slope : speed_error::slopes(report.rows)) keep(report.findings, std::move(slope));
+    auto asked = ask_others(view, options, jobs, report);
+    if (auto written = speed_error::write_report(options.out, report); !written) return written.error();
+    return asked;
+}
+
+void tell(const Report& report, const Options& options) {
+    for (const Row& row : report.rows) {
+        fmt::print("{:28} {:34} {:9.1f} core-ms  relMSE {:9.3g}{} FLIP {:.4f}  efficiency {:.3g}\n", row.view,
+                   row.contestant, row.core_ms, row.rel_mse, speed_error::is_doubtful(row) ? " *" : "  ",
+                   row.flip, row.efficiency());
+    }
+    print(report.findings);
+    if (const std::size_t doubtful = speed_error::count_doubtful(report.rows); doubtful > 0) {
+        fmt::print(
+            "\n{} of {} rows (*) are less than twenty times as wrong as their truth: more "
+            "--reference-samples\n",
+            doubtful, report.rows.size());
+    }
+    fmt::print("{}\n", (std::filesystem::path(options.out) / "report.html").string());
+}
+
+void add_options(CLI::App& app, Options& options) {
     app.add_option("SCENE", options.scene, "a level's name, or any .gltf or .glb")->capture_default_str();
     app.add_option("--camera", options.cameras,
                    "cameras of the scene, or x,y,z,yaw,pitch,fov; three of its own otherwise");
@@ -125,36 +173,50 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     app.add_option("--width", options.width, "pixels")->check(CLI::Range(16, 4096))->capture_default_str();
     app.add_option("--height", options.height, "pixels")->check(CLI::Range(16, 4096))->capture_default_str();
-    app.add_option("--reference", options.reference_samples, "samples a pixel of a reference")
+    app.add_option("--reference-samples", options.reference_samples, "samples a pixel of a reference")
         ->check(CLI::Range(2, 1 << 20))
+        ->capture_default_str();
+    app.add_option("--reference", options.picture,
+                   "somebody else's converged picture of the view (EXR): how far ours is from it");
+    app.add_flag("--cycles", options.asks_cycles, "also Blender's Cycles, at equal time");
+    app.add_option("--cycles-samples", options.cycles_samples,
+                   "samples a pixel; its own truth has 64 times as many")
+        ->check(CLI::Range(1, 4096))
         ->capture_default_str();
     app.add_option("--runs", options.runs, "pictures with other seeds")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     app.add_option("--threads", options.threads, "0: one for every core")->check(CLI::Range(0, 256));
     app.add_flag("--quick", options.is_quick, "one view, few samples, small: within a minute");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Options options;
+    CLI::App app("Renders views in every way and says how wrong each is for what it costs.", "speed_error");
+    add_options(app, options);
     CLI11_PARSE(app, argc, argv);
     if (options.is_quick) {
         options.width = std::min(options.width, 160);
         options.height = std::min(options.height, 90);
-        options.reference_samples = std::min(options.reference_samples, 256);
+        options.reference_samples = std::min(options.reference_samples, 128);
         options.runs = std::min(options.runs, 2);
     }
     const Jobs jobs(options.threads);
-    const auto studio = open(options.scene, jobs);
+    const auto studio = speed_error::open_studio(options.scene, jobs);
     if (!studio) return complain(studio.error().sentence);
-    const std::string machine =
-        fmt::format("{} threads, {}, {}x{} pixels, references of {} samples", jobs.threads(),
-                    rc::isa_name(rc::active_isa()), options.width, options.height, options.reference_samples);
-    std::vector<speed_error::Row> rows = speed_error::earlier_rows(options.out);
-    for (const std::string& view : views_of(*studio->level, options)) {
-        if (auto judged = judge_view(*studio, view, options, jobs, rows, machine); !judged)
+    Report report = speed_error::earlier_report(options.out);
+    report.machine = fmt::format("{} threads, {}, {}x{}", jobs.threads(), rc::isa_name(rc::active_isa()),
+                                 options.width, options.height);
+    for (const std::string& name : views_of(*studio->level, options)) {
+        const auto camera = app::camera_named(*studio->level, studio->snapshot, name);
+        if (!camera) return complain(camera.error().sentence);
+        const View view{*studio, studio->level->name + (name.empty() ? "" : "_" + name), *camera,
+                        speed_error::scene_key(*studio->level, *camera)};
+        if (auto judged = judge_view(view, options, jobs, report); !judged)
             return complain(judged.error().sentence);
     }
-    for (const speed_error::Row& row : rows) {
-        fmt::print("{:28} {:28} {:9.1f} core-ms  relMSE {:9.3g}  FLIP {:.4f}  efficiency {:.3g}\n", row.view,
-                   row.contestant, row.core_ms, row.rel_mse, row.flip, row.efficiency());
-    }
-    fmt::print("{}\n", (std::filesystem::path(options.out) / "report.html").string());
+    tell(report, options);
     return 0;
 }

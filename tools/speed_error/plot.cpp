@@ -11,8 +11,9 @@ namespace speed_error {
 namespace {
 
 constexpr double kWidth = 760, kHeight = 420, kLeft = 70, kRight = 240, kTop = 15, kBottom = 45;
-constexpr std::array<const char*, 8> kColors = {"#c0392b", "#2471a3", "#1e8449", "#b7950b",
-                                                "#7d3c98", "#ba4a00", "#117a65", "#566573"};
+constexpr std::array<const char*, 12> kColors = {"#c0392b", "#2471a3", "#1e8449", "#b7950b",
+                                                 "#7d3c98", "#ba4a00", "#117a65", "#566573",
+                                                 "#ec7063", "#5dade2", "#58d68d", "#17202a"};
 
 struct Axis {
     double low = 1e300, high = 0.0;  // whole decades
@@ -45,8 +46,10 @@ std::string plot(const std::vector<Line>& lines, const std::string& x_title, con
         return kHeight - kBottom - y_axis.share(y) * (kHeight - kTop - kBottom);
     };
 
-    std::string svg =
-        fmt::format("<svg viewBox='0 0 {0} {1}' width='{0}' height='{1}' font-size='11'>\n", kWidth, kHeight);
+    std::string svg = fmt::format(
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {0} {1}' width='{0}' height='{1}' "
+        "font-family='sans-serif' font-size='11'>\n",
+        kWidth, kHeight);
     for (double x = x_axis.low; x <= x_axis.high * 1.01; x *= 10.0) {
         svg += fmt::format(
             "<line x1='{0:.1f}' x2='{0:.1f}' y1='{1}' y2='{2}' stroke='#ddd'/>"

@@ -73,7 +73,7 @@ gh::Result<Reference> reference(const std::string& truth, const ReferenceSetting
     if (read(path, result, settings)) return result;
 
     const int samples = std::min(kSamplesAtOnce, std::max(1, settings.samples_per_pixel / 2));
-    const Contestant maker = truth_of(truth, samples);
+    const Run make = truth_of(truth, samples).begin();
     const int parts = std::max(1, settings.samples_per_pixel / 2 / samples);
     gh::Image half[2] = {gh::Image(settings.width, settings.height),
                          gh::Image(settings.width, settings.height)};
@@ -81,7 +81,11 @@ gh::Result<Reference> reference(const std::string& truth, const ReferenceSetting
     gh::Progress progress(fmt::format("reference {}, {}", settings.view, truth),
                           static_cast<std::size_t>(2 * parts));
     for (int part = 0; part < 2 * parts; ++part) {
-        maker.render(scene, camera, 0x10000u + static_cast<std::uint32_t>(part), jobs, film);
+        make({.scene = scene,
+              .camera = camera,
+              .seed = 0x10000u + static_cast<std::uint32_t>(part),
+              .jobs = jobs},
+             film);
         gh::Image& sum = half[part % 2];
         for (std::size_t i = 0; i < sum.pixels.size(); ++i)
             sum.pixels[i] += film.radiance.pixels[i] / static_cast<float>(parts);

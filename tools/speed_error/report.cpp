@@ -1,6 +1,7 @@
 #include "report.h"
 
 #include "base/file.h"
+#include "equal_time.h"
 #include "plot.h"
 
 #include <fmt/format.h>
@@ -46,20 +47,19 @@ std::vector<Line> lines_of(const std::vector<Row>& rows, const std::string& view
 
 std::string table_of(const std::vector<Row>& rows, const std::string& view) {
     std::string html =
-        "<table><tr><th>how</th><th>truth</th><th>core-ms</th><th>wall ms</th><th>Mrays</th><th>relMSE</th>"
+        "<table><tr><th>how</th><th>truth</th><th>core-ms</th><th>of it filters</th><th>wall "
+        "ms</th><th>Mrays</th><th>relMSE</th>"
         "<th>trimmed</th><th>FLIP</th><th>SSIM</th><th>bias %</th><th>flicker "
         "%</th><th>efficiency</th><th>slope</th></tr>\n";
     for (const Row& row : rows) {
         if (row.view != view) continue;
-        // A row that is not twenty times as wrong as its truth says little about itself.
-        const bool is_doubtful = row.rel_mse < 20.0 * row.own_error;
         html += fmt::format(
-            "<tr><td>{}</td><td>{}</td><td>{:.1f}</td><td>{:.1f}</td><td>{:.2f}</td><td>{:.3g}{}</"
-            "td><td>{:.3g}</td>"
+            "<tr><td>{}</td><td>{}</td><td>{:.1f}</td><td>{:.1f}</td><td>{:.1f}</td><td>{:.2f}</td>"
+            "<td>{:.3g}{}</td><td>{:.3g}</td>"
             "<td>{:.4f}</td><td>{:.4f}</td><td>{:.2f}</td><td>{:.2f}</td><td>{:.3g}</td><td>{:.2f}</td></"
             "tr>\n",
-            row.contestant, row.truth, row.core_ms, row.wall_ms, row.rays * 1e-6, row.rel_mse,
-            is_doubtful ? " *" : "", row.rel_mse_trimmed, row.flip, row.ssim, 100.0 * row.bias,
+            row.contestant, row.truth, row.core_ms, row.filter_ms, row.wall_ms, row.rays * 1e-6, row.rel_mse,
+            is_doubtful(row) ? " *" : "", row.rel_mse_trimmed, row.flip, row.ssim, 100.0 * row.bias,
             100.0 * row.flicker, row.efficiency(), slope(rows, view, row.family));
     }
     return html + "</table>\n";
@@ -77,20 +77,26 @@ std::string picture_name(const Row& row) {
     return "pictures/" + name + ".png";
 }
 
-gh::Result<void> write_report(const std::filesystem::path& folder, const std::vector<Row>& rows,
-                              const std::string& machine) {
+gh::Result<void> write_report(const std::filesystem::path& folder, const Report& report) {
+    const std::vector<Row>& rows = report.rows;
     std::string html =
         kHead + fmt::format(
                     "<p>{}. A star marks what is less than twenty times as wrong as its own truth is. "
                     "Slope: of the error over samples in a family. Flicker: deviation of a pixel between "
                     "pictures with other seeds, of the mean brightness.</p>\n",
-                    machine);
-    nlohmann::json json = {{"machine", machine}, {"rows", nlohmann::json::array()}};
+                    report.machine);
+    nlohmann::json json = {{"machine", report.machine},
+                           {"rows", nlohmann::json::array()},
+                           {"findings", nlohmann::json::array()}};
     for (const Row& row : rows) json["rows"].push_back(to_json(row));
+    for (const Finding& finding : report.findings) json["findings"].push_back(to_json(finding));
     for (const std::string& view : distinct(rows, &Row::view)) {
-        html += fmt::format("<h2>{}</h2>\n", view) + table_of(rows, view) +
-                plot(lines_of(rows, view, &Row::core_ms), "core-ms a picture", "relMSE") +
-                plot(lines_of(rows, view, &Row::rays), "rays a picture", "relMSE");
+        const std::string by_cost = plot(lines_of(rows, view, &Row::core_ms), "core-ms a picture", "relMSE");
+        html += fmt::format("<h2>{}</h2>\n", view) + table_of(rows, view) + by_cost +
+                plot(lines_of(rows, view, &Row::rays), "rays a picture", "relMSE") +
+                html_of(report.findings, view);
+        if (auto written = gh::write_file_atomically(folder / ("plot_" + view + ".svg"), by_cost); !written)
+            return written.error();
         for (const Row& row : rows) {
             if (row.view != view) continue;
             html += fmt::format(
@@ -104,18 +110,22 @@ gh::Result<void> write_report(const std::filesystem::path& folder, const std::ve
     return gh::write_file_atomically(folder / "report.html", html);
 }
 
-std::vector<Row> earlier_rows(const std::filesystem::path& folder) {
+Report earlier_report(const std::filesystem::path& folder) {
+    Report report;
     const auto bytes = gh::read_file(folder / "report.json", std::size_t{1} << 26);
-    if (!bytes) return {};
+    if (!bytes) return report;
     const auto* text = reinterpret_cast<const char*>(bytes->data());
     const nlohmann::json json = nlohmann::json::parse(text, text + bytes->size(), nullptr, false);
-    std::vector<Row> rows;
-    if (!json.is_object() || !json.contains("rows")) return rows;
+    if (!json.is_object() || !json.contains("rows") || !json.contains("findings")) return report;
     for (const nlohmann::json& entry : json["rows"]) {
         Row row;
-        if (from_json(entry, row)) rows.push_back(std::move(row));
+        if (from_json(entry, row)) report.rows.push_back(std::move(row));
     }
-    return rows;
+    for (const nlohmann::json& entry : json["findings"]) {
+        Finding finding;
+        if (from_json(entry, finding)) report.findings.push_back(std::move(finding));
+    }
+    return report;
 }
 
 }  // namespace speed_error

@@ -1,61 +1,24 @@
 #include "rows.h"
 
-#include "filter/tone_map.h"
+#include "clocks.h"
 #include "metrics/picture_metrics.h"
 #include "record/picture.h"
+#include "shown.h"
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <ctime>
+#include <utility>
 
 namespace speed_error {
 
 namespace {
 
-double cpu_ms() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
-
-double clock_ms() {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
-
 double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     return values.empty() ? 0.0 : values[values.size() / 2];
-}
-
-double brightness(const glm::vec3& c) {
-    return static_cast<double>(c.x + c.y + c.z) / 3.0;
-}
-
-double mean(const gh::Image& image) {
-    double sum = 0.0;
-    for (const glm::vec3& pixel : image.pixels) sum += brightness(pixel);
-    return sum / static_cast<double>(image.pixels.size());
-}
-
-gh::Image8 shown8(const gh::Image& picture, float exposure, const gh::Jobs& jobs) {
-    gh::Image8 bytes;
-    gh::filter::tone_map(picture, exposure, 0, jobs, bytes);
-    return bytes;
-}
-
-gh::Image shown(const gh::Image& picture, float exposure, const gh::Jobs& jobs) {
-    const gh::Image8 bytes = shown8(picture, exposure, jobs);
-    gh::Image image(picture.width, picture.height);
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        for (std::size_t c = 0; c < 3; ++c)
-            image.pixels[i][c] = static_cast<float>(bytes.bytes[3 * i + c]) / 255.0f;
-    }
-    return image;
 }
 
 // How much pixels differ from run to run, where what they show does not.
@@ -95,15 +58,24 @@ gh::Result<Row> measure(const Contestant& contestant, const std::string& view, c
             .own_error = truth.own_error};
     const float exposure = gh::filter::metered_exposure(truth.picture);
     const gh::Image wanted = shown(truth.picture, exposure, jobs);
-    const double light = mean(truth.picture);
-    std::vector<double> wall, core;
+    const double light = mean_brightness(truth.picture);
+    std::vector<double> wall, core, filter;
     std::vector<gh::Image> pictures;
     for (int run = 0; run < runs; ++run) {
         gh::render::Film film(truth.picture.width, truth.picture.height);
-        const double start = clock_ms(), core_start = cpu_ms();
-        contestant.render(scene, camera, static_cast<std::uint32_t>(run), jobs, film);
-        wall.push_back(clock_ms() - start);
-        core.push_back(cpu_ms() - core_start);
+        const Run make = contestant.begin();
+        for (int frame = 0; frame < contestant.frames; ++frame) {
+            const double start = wall_ms();
+            const StageTimes times = make({.scene = scene,
+                                           .camera = camera,
+                                           .seed = static_cast<std::uint32_t>(run),
+                                           .frame = static_cast<std::uint32_t>(frame),
+                                           .jobs = jobs},
+                                          film);
+            wall.push_back(wall_ms() - start);
+            core.push_back(times.total());
+            filter.push_back(times.filter_ms);
+        }
         row.rays += static_cast<double>(film.stats.total()) / runs;
         const metrics::RelMse error = metrics::rel_mse(film.radiance, truth.picture);
         const gh::Image seen = shown(film.radiance, exposure, jobs);
@@ -111,11 +83,12 @@ gh::Result<Row> measure(const Contestant& contestant, const std::string& view, c
         row.rel_mse_trimmed += error.trimmed / runs;
         row.flip += metrics::flip(seen, wanted).mean / runs;
         row.ssim += metrics::ssim(seen, wanted) / runs;
-        row.bias += (mean(film.radiance) - light) / (light * runs);
+        row.bias += (mean_brightness(film.radiance) - light) / (light * runs);
         pictures.push_back(std::move(film.radiance));
     }
     row.wall_ms = median(wall);
     row.core_ms = median(core);
+    row.filter_ms = median(filter);
     row.flicker = light > 0.0 ? flicker_of(pictures) / light : 0.0;
     if (auto written = gh::record::write_png(picture, shown8(pictures[0], exposure, jobs)); !written)
         return written.error();
@@ -133,6 +106,25 @@ double slope(const std::vector<Row>& rows, const std::string& view, const std::s
     return n >= 2.0 && spread > 0.0 ? (n * xy - x * y) / spread : 0.0;
 }
 
+double error_at_cost(const std::vector<Row>& rows, const std::string& view, const std::string& family,
+                     double core_ms, double Row::*error) {
+    std::vector<std::pair<double, double>> points;  // log cost, log error
+    for (const Row& row : rows) {
+        if (row.view == view && row.family == family && row.*error > 0.0 && row.core_ms > 0.0)
+            points.emplace_back(std::log(row.core_ms), std::log(row.*error));
+    }
+    if (points.empty() || !(core_ms > 0.0)) return 0.0;
+    std::sort(points.begin(), points.end());
+    const double at = std::log(core_ms);
+    if (at <= points.front().first) return std::exp(points.front().second + points.front().first - at);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const auto [x0, y0] = points[i - 1];
+        const auto [x1, y1] = points[i];
+        if (at <= x1) return std::exp(x1 > x0 ? y0 + (y1 - y0) * (at - x0) / (x1 - x0) : y1);
+    }
+    return std::exp(points.back().second + points.back().first - at);
+}
+
 nlohmann::json to_json(const Row& row) {
     return {{"view", row.view},
             {"contestant", row.contestant},
@@ -143,6 +135,7 @@ nlohmann::json to_json(const Row& row) {
             {"runs", row.runs},
             {"wall_ms", row.wall_ms},
             {"core_ms", row.core_ms},
+            {"filter_ms", row.filter_ms},
             {"rays", row.rays},
             {"rel_mse", row.rel_mse},
             {"rel_mse_trimmed", row.rel_mse_trimmed},
@@ -165,6 +158,7 @@ bool from_json(const nlohmann::json& json, Row& row) {
         json.at("runs").get_to(row.runs);
         json.at("wall_ms").get_to(row.wall_ms);
         json.at("core_ms").get_to(row.core_ms);
+        json.at("filter_ms").get_to(row.filter_ms);
         json.at("rays").get_to(row.rays);
         json.at("rel_mse").get_to(row.rel_mse);
         json.at("rel_mse_trimmed").get_to(row.rel_mse_trimmed);

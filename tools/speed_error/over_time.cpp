@@ -1,0 +1,101 @@
+#include "over_time.h"
+
+#include "shown.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace speed_error {
+
+namespace {
+
+constexpr int kSettling = 16, kWatched = 8, kDark = 40;
+constexpr double kGone = 0.1;
+constexpr double kNever = 99.0;
+
+struct Frames {
+    std::vector<gh::Image> lit, dark;  // the last kWatched lit ones; all kDark dark ones
+};
+
+Frames film(const Contestant& contestant, const Studio& studio, const gh::render::Camera& camera,
+            const OverTimeSettings& settings, const gh::Jobs& jobs) {
+    Frames frames;
+    gh::render::Film picture(settings.width, settings.height);
+    const Run make = contestant.begin();
+    const int lit = kSettling + kWatched;
+    for (int frame = 0; frame < lit + (studio.has_switches() ? kDark : 0); ++frame) {
+        const gh::render::SceneView view = frame < lit ? studio.lit_view() : studio.dark_view();
+        make({.scene = view, .camera = camera, .frame = static_cast<std::uint32_t>(frame), .jobs = jobs},
+             picture);
+        if (frame >= kSettling) (frame < lit ? frames.lit : frames.dark).push_back(picture.radiance);
+    }
+    return frames;
+}
+
+gh::Image mean_of(const std::vector<gh::Image>& pictures, std::size_t first) {
+    gh::Image mean(pictures[0].width, pictures[0].height);
+    for (std::size_t k = first; k < pictures.size(); ++k) {
+        for (std::size_t i = 0; i < mean.pixels.size(); ++i)
+            mean.pixels[i] += pictures[k].pixels[i] / static_cast<float>(pictures.size() - first);
+    }
+    return mean;
+}
+
+// Of what a screen shows: the radiance of a lamp's bulb would drown all else. Mean over pixels, as a share of white.
+double deviation_of(const std::vector<gh::Image>& pictures, const gh::Jobs& jobs) {
+    const float exposure = gh::filter::metered_exposure(pictures[0]);
+    std::vector<gh::Image> seen;
+    for (const gh::Image& picture : pictures) seen.push_back(shown(picture, exposure, jobs));
+    const auto count = static_cast<double>(pictures.size());
+    double total = 0.0;
+    for (std::size_t i = 0; i < pictures[0].pixels.size(); ++i) {
+        double sum = 0.0, squares = 0.0;
+        for (const gh::Image& picture : seen) {
+            const double value = brightness(picture.pixels[i]);
+            sum += value;
+            squares += value * value;
+        }
+        total += std::sqrt(std::max(0.0, (squares - sum * sum / count) / (count - 1.0)));
+    }
+    return total / static_cast<double>(pictures[0].pixels.size());
+}
+
+// How much of (lit - dark) a picture still has.
+double left_of(const gh::Image& picture, const gh::Image& lit, const gh::Image& dark) {
+    double along = 0.0, whole = 0.0;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        const glm::dvec3 step(lit.pixels[i] - dark.pixels[i]);
+        along += glm::dot(glm::dvec3(picture.pixels[i] - dark.pixels[i]), step);
+        whole += glm::dot(step, step);
+    }
+    return whole > 0.0 ? along / whole : 0.0;
+}
+
+}  // namespace
+
+Finding judge_over_time(const Contestant& contestant, const Studio& studio, const gh::render::Camera& camera,
+                        const OverTimeSettings& settings, const gh::Jobs& jobs) {
+    Finding finding{.table = "over time",
+                    .view = settings.view,
+                    .name = contestant.family,
+                    .key = settings.key,
+                    .values = {}};
+    const Frames frames = film(contestant, studio, camera, settings, jobs);
+    finding.values.emplace_back("deviation %", 100.0 * deviation_of(frames.lit, jobs));
+    if (frames.dark.empty()) return finding;
+    const gh::Image lit = mean_of(frames.lit, 0);
+    const gh::Image dark = mean_of(frames.dark, frames.dark.size() - kWatched);
+    double gone = kNever;
+    for (std::size_t k = frames.dark.size(); k-- > 0;) {  // the last time it was more
+        if (left_of(frames.dark[k], lit, dark) > kGone) break;
+        gone = static_cast<double>(k + 1);
+    }
+    finding.values.emplace_back("frames to 10 %", gone);
+    finding.values.emplace_back("left in the first %", 100.0 * left_of(frames.dark[0], lit, dark));
+    return finding;
+}
+
+}  // namespace speed_error
