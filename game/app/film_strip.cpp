@@ -26,7 +26,8 @@ Result<void> FilmStrip::shoot(const render::SceneView& scene, std::size_t tick, 
     const char* const ending = options_.writes_exr ? "exr" : "png";
     const std::filesystem::path path = options_.frames / fmt::format("frame_{:06}.{}", tick, ending);
     const float seconds = static_cast<float>(options_.every) * world::kTickSeconds;
-    if (!options_.writes_exr) {
+    const bool is_path = options_.renderer.renderer == "path";
+    if (!options_.writes_exr || (is_path && !options_.renderer.is_unbiased)) {
         const render::Camera camera = player_camera(scene.snapshot.state.player);
         sketch_.expose(scene, camera, render::WhittedSettings{}, frame, jobs);
         sketch_.adapt(seconds);
@@ -45,7 +46,8 @@ void FilmStrip::expose(const render::SceneView& scene, std::uint32_t frame, cons
         view_.expose(scene, camera, settings, frame, jobs);
         return;
     }
-    render::PathSettings settings = path_settings(options_.renderer, options_.samples_per_pixel);
+    render::PathSettings settings =
+        path_settings(options_.renderer, options_.samples_per_pixel, sketch_.exposure());
     if (sky_) settings.environment = &*sky_;
     view_.forget();  // a picture that hangs on the ones before could not be made alone
     view_.expose(scene, camera, settings, frame, jobs);

@@ -70,10 +70,22 @@ void add_renderer(CLI::App& command, RendererOptions& o) {
         ->check(CLI::Range(0, 199))
         ->capture_default_str()
         ->type_name("N");
-    command.add_option("--clamp", o.clamp, "path: most radiance that a bounce may bring; 0: whatever it does")
+    command
+        .add_option("--clamp", o.clamp,
+                    "path: most that a bounce may bring at once, in multiples of white; 0: whatever it does")
         ->check(CLI::NonNegativeNumber)
+        ->capture_default_str()
         ->type_name("X");
-    command.add_option("--sky", o.sky, "path: a picture of all directions for what lies outside")->type_name("FILE");
+    command
+        .add_option("--roughen", o.least_indirect_roughness,
+                    "path: least roughness of gloss that scattered light meets; 0: its own")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str()
+        ->type_name("X");
+    command.add_flag("--unbiased", o.is_unbiased,
+                     "path: --clamp 0 --roughen 0, all light there is and all its noise");
+    command.add_option("--sky", o.sky, "path: a picture of all directions for what lies outside")
+        ->type_name("FILE");
     command.add_flag("--denoise", o.is_denoised, "path: filter what noise is left");
     command.add_flag("!--unbent", o.bends_light,
                      "path: lamps shine straight through clear glass, and nothing focuses them");

@@ -28,7 +28,10 @@ struct RendererOptions {
     std::filesystem::path sky;      // path: a picture of all directions; empty: the suns' own sky
     std::uint32_t seed = 0;
     int max_depth = 24;
-    float clamp = 0.0f;  // path: of what one bounce or more brings; 0: none
+    // path: most that one bounce or more brings by one path, in multiples of what shows as white; 0: no limit.
+    float clamp = 2.0f;
+    float least_indirect_roughness = 0.3f;  // path: of gloss, once light was scattered
+    bool is_unbiased = false;               // path: neither
     bool is_denoised = false;
     bool bends_light = true;  // path: lamps' light through solid glass and off mirrors
 };

@@ -67,7 +67,7 @@ Result<render::Camera> camera_named(const world::Level& level, const world::Snap
                  ", and it is not x,y,z,yaw,pitch,fov"};
 }
 
-render::PathSettings path_settings(const RendererOptions& options, int samples_per_pixel) {
+render::PathSettings path_settings(const RendererOptions& options, int samples_per_pixel, float exposure) {
     render::PathSettings settings;
     settings.samples_per_pixel = samples_per_pixel;
     settings.max_depth = options.max_depth;
@@ -77,9 +77,19 @@ render::PathSettings path_settings(const RendererOptions& options, int samples_p
                        : options.sampler == "bluenoise" ? render::SampleKind::BlueNoise
                                                         : render::SampleKind::Sobol;
     if (!options.bends_light) settings.caustics = render::Caustics::Unbent;
-    if (options.clamp > 0.0f) settings.most_indirect = options.clamp;
+    if (!options.is_unbiased) {
+        if (options.clamp > 0.0f) settings.most_indirect = options.clamp / exposure;
+        settings.least_indirect_roughness = options.least_indirect_roughness;
+    }
     settings.fills_planes = settings.splits_glass = options.is_denoised;
     return settings;
+}
+
+float sketched_exposure(const render::SceneView& scene, const render::Camera& camera, const Jobs& jobs) {
+    View sketch(64, 36);
+    sketch.expose(scene, camera, render::WhittedSettings{}, 0, jobs);
+    sketch.adapt(0.0f);
+    return sketch.exposure();
 }
 
 Result<std::optional<render::Environment>> sky_named(const RendererOptions& options) {

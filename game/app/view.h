@@ -33,8 +33,12 @@ inline constexpr float kPlayerFov = 1.2217305f;  // radians, vertical: 70 degree
 [[nodiscard]] Result<render::Camera> camera_named(const world::Level& level, const world::Snapshot& snapshot,
                                                   const std::string& text);
 
-// What the command line asks of the path tracer.
-[[nodiscard]] render::PathSettings path_settings(const RendererOptions& options, int samples_per_pixel);
+// What the command line asks of the path tracer, for an eye of this exposure: --clamp goes by what shows as white.
+[[nodiscard]] render::PathSettings path_settings(const RendererOptions& options, int samples_per_pixel,
+                                                 float exposure);
+// The exposure an eye comes to there, by a small sketch.
+[[nodiscard]] float sketched_exposure(const render::SceneView& scene, const render::Camera& camera,
+                                      const Jobs& jobs);
 // The picture that --sky names; nothing when it names none.
 [[nodiscard]] Result<std::optional<render::Environment>> sky_named(const RendererOptions& options);
 

@@ -188,6 +188,10 @@ BsdfValue Bsdf::value(const glm::vec3& direction) const {
     return result;
 }
 
+LobeValue Bsdf::value(Lobe lobe, const glm::vec3& direction) const {
+    return value_of(lobe, direction, basis_.local_from_world(direction));
+}
+
 LobeValue Bsdf::value_of(Lobe lobe, const glm::vec3& direction, const glm::vec3& local) const {
     if (lobe == Lobe::Glass) {
         if (is_smooth_) return {};

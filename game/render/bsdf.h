@@ -61,6 +61,8 @@ class Bsdf {
     // `u_lobe` picks the lobe (and for glass whether light is mirrored), `u` the direction.
     [[nodiscard]] BsdfSample sample(float u_lobe, const glm::vec2& u) const;
     [[nodiscard]] BsdfValue value(const glm::vec3& direction) const;
+    // One lobe of that.
+    [[nodiscard]] LobeValue value(Lobe lobe, const glm::vec3& direction) const;
 
     // Whether a lamp can be seen by it at all: not if everything is a mirror or smooth glass.
     [[nodiscard]] bool takes_lamps() const { return takes_lamps_; }

@@ -96,7 +96,14 @@ void fit_ball(const world::Mesh& mesh, Emitter& emitter) {
     constexpr float kMargin = 1.0f + 0x1p-10f;
     emitter.radius *= kMargin;
     const float whole = 4.0f * kPi * emitter.radius * emitter.radius;
-    if (emitter.primitives.size() > 4 && area > kRoundEnough * whole) emitter.kind = EmitterKind::Bulb;
+    // Seen from outside only: a backdrop that faces inwards, or rooms' worth of panes, are no bulb.
+    const bool faces_out =
+        std::all_of(emitter.primitives.begin(), emitter.primitives.end(), [&](std::uint32_t primitive) {
+            const Corners corners = corners_of(mesh, primitive);
+            return glm::dot(corners.front, corners.at[0] - emitter.centre) >= 0.0f;
+        });
+    if (emitter.primitives.size() > 4 && area > kRoundEnough * whole && faces_out)
+        emitter.kind = EmitterKind::Bulb;
 }
 
 }  // namespace

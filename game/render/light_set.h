@@ -13,6 +13,7 @@
 #pragma once
 
 #include "render/frame_light.h"
+#include "render/gleams.h"
 #include "render/light_tree.h"
 #include "render/scene_view.h"
 #include "render/solid_angle.h"
@@ -54,6 +55,11 @@ class LightSet {
     // it never picks.
     [[nodiscard]] float density(const LightQuery& query, std::uint32_t part, std::uint32_t primitive,
                                 const glm::vec3& position) const;
+
+    // Where light of lamps that are on comes off their shades.
+    [[nodiscard]] GleamGuide gleams_at(const LightQuery& query) const {
+        return {view_.prepared.gleams, gleam_on_, query.position, query.normal};
+    }
 
     // The same for a direction into the environment.
     [[nodiscard]] float environment_density(const LightQuery& query, const glm::vec3& direction) const;
@@ -131,6 +137,7 @@ class LightSet {
         first_of_part_;  // light; kNoIndex: none. Triangles follow in their emitter's order
     std::vector<const Emitter*> emitter_of_part_;
     std::vector<std::uint32_t> light_of_lamp_;  // kNoIndex: not picked by list
+    std::vector<std::uint8_t> gleam_on_;
     LightTree tree_;
 };
 

@@ -63,6 +63,11 @@ LightSet::LightSet(const SceneView& view, const FrameLight& frame, const Environ
     }
     for (std::size_t i = 0; i < lights_.size(); ++i) lights_[i].power = bounds[i].power;
     tree_ = LightTree(bounds);
+    for (const Gleam& gleam : view.prepared.gleams.gleams) {
+        const bool is_on = gleam.part != world::kNoIndex ? emitter_of_part_[gleam.part] != nullptr
+                                                         : frame.lamp_on[gleam.lamp] != 0;
+        gleam_on_.push_back(is_on ? 1 : 0);
+    }
 }
 
 void LightSet::add_lamps(const FrameLight& frame, std::vector<LightBounds>& bounds) {

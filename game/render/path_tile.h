@@ -53,6 +53,7 @@ class PathTile {
         glm::vec3 weight{1.0f};  // what its light counts in the pixel
         LightQuery from;         // the last place that asked lamps
         float density = 0.0f;    // with which it sent the path here; 0: nobody asked, all that shines counts
+        float survival = 1.0f;   // what roulette goes by: the weight, were no path sent anywhere on purpose
         MediumStack media;
         float cone_width = 0.0f, cone_angle = 0.0f;
         std::uint32_t sample = 0;
@@ -64,6 +65,7 @@ class PathTile {
         bool is_eye = true;         // met mirrors and smooth glass only
         bool is_leading = true;     // its surface speaks for the pixel
         bool has_bent = false;      // mirrored or bent by something smooth since `from`
+        bool is_rough = false;      // scattered by something rough
         bool is_first_leg = false;  // the way from the main surface to the next
     };
     struct Shadow {  // light that arrives if nothing stands in its way
@@ -100,8 +102,18 @@ class PathTile {
     void add_bare_lamps(const Path& path, float t_max);
     void add_met_light(const Path& path, const glm::vec3& light, float lamp_density);
     void split(const Path& path, const ShadingPoint& at, const Bsdf& bsdf, FrameStats& stats);
-    void ask_lamp(const Path& path, const ShadingPoint& at, const Bsdf& bsdf);
-    void send_on(const Path& path, const ShadingPoint& at, const BsdfSample& sample, const Bsdf& bsdf,
+    // One place that scatters, and where it might send paths on purpose.
+    struct Scatterer {
+        const ShadingPoint& at;
+        const Bsdf& bsdf;
+        GleamGuide guide;
+    };
+    void ask_lamp(const Path& path, const Scatterer& here);
+    struct Onward : BsdfSample {
+        float survival = 1.0f;  // brightest weight, were it not sent on purpose
+    };
+    [[nodiscard]] Onward pick_onward(const Path& path, const Scatterer& here) const;
+    void send_on(const Path& path, const ShadingPoint& at, const Onward& sample, const Bsdf& bsdf,
                  FrameStats& stats);
     [[nodiscard]] Border border_at(const Path& path, const ShadingPoint& at) const;
     [[nodiscard]] bool survives(Path& path) const;

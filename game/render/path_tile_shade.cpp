@@ -18,6 +18,8 @@ constexpr std::uint8_t kMostPasses = 32;
 constexpr int kRouletteDepth = 2;      // paths shorter than that go on whatever they carry
 constexpr float kIndirectTaps = 1.0f;  // of textures, where they are seen by scattered light
 constexpr int kMostSplit = 4;          // panes one behind the other that split the eye's path
+constexpr float kRoughAlpha = 0.1f;    // gloss that scatters so widely is rough
+constexpr float kGleamShare = 0.35f;   // of diffuse paths, where gleams are seen
 
 enum Purpose : std::uint32_t {
     kLobePurpose,
@@ -25,7 +27,9 @@ enum Purpose : std::uint32_t {
     kLampPurpose,
     kOnLampPurpose,
     kRoulettePurpose,
-    kHolePurpose
+    kHolePurpose,
+    kGleamPurpose,
+    kWhichGleamPurpose
 };
 
 float brightest(const glm::vec3& c) {
@@ -37,6 +41,12 @@ float counts(float own, float other) {
     if (!(other > 0.0f)) return 1.0f;
     const float ratio = other / own;
     return 1.0f / (1.0f + ratio * ratio);
+}
+
+// Of the diffuse lobe together with what seeks gleams, times the probability of picking it; `own` is the lobe's alone.
+float guided_density(const Bsdf& bsdf, const GleamGuide& guide, float own, const glm::vec3& direction) {
+    return own * (1.0f - kGleamShare) +
+           kGleamShare * bsdf.probability(Lobe::Diffuse) * guide.density(direction);
 }
 
 }  // namespace
@@ -79,13 +89,18 @@ void PathTile::meet(Path path, const rc::Hit& hit, FrameStats& stats) {
     path.cone_width += path.cone_angle * hit.t;
     const float taps =
         path.is_eye ? frame_.settings.texture_taps : std::min(kIndirectTaps, frame_.settings.texture_taps);
-    const ShadingPoint at = shading_point(frame_.view, path.ray, hit, path.cone_width, taps);
-    if (const world::Material* glass = path.media.top(); glass != nullptr)
-        path.weight *= sane_colour(absorbed(*glass, glm::distance(path.start, at.surface.position)));
+    ShadingPoint at = shading_point(frame_.view, path.ray, hit, path.cone_width, taps);
+    if (const world::Material* glass = path.media.top(); glass != nullptr) {
+        const glm::vec3 left = sane_colour(absorbed(*glass, glm::distance(path.start, at.surface.position)));
+        path.weight *= left;
+        path.survival *= brightest(left);
+    }
     note_reflection(path, glm::distance(path.start, at.surface.position));
     path.start = at.surface.position;
     if (passes_hole(path, at, stats)) return;
     add_emission(path, at, hit);
+    if (path.is_rough && !(at.material->transmission > 0.0f))
+        at.roughness = std::max(at.roughness, frame_.settings.least_indirect_roughness);
 
     const Bsdf bsdf(at, -path.ray.direction, border_at(path, at), frame_.view.prepared.energy);
     const bool is_main = path.is_eye && (bsdf.takes_lamps() || path.depth >= frame_.settings.max_depth);
@@ -101,11 +116,29 @@ void PathTile::meet(Path path, const rc::Hit& hit, FrameStats& stats) {
         return;
     }
     const bool asks = bsdf.takes_lamps() && frame_.settings.lamps != LampFinding::MeetOnly;
-    if (asks) ask_lamp(path, at, bsdf);
-    const BsdfSample sample =
-        bsdf.sample(sequence(path).one(path.sample, dimension(path, kLobePurpose)),
-                    sequence(path).two(path.sample, dimension(path, kDirectionPurpose)));
-    send_on(path, at, sample, bsdf, stats);
+    Scatterer here{at, bsdf, {}};
+    if (frame_.settings.seeks_gleams && bsdf.probability(Lobe::Diffuse) > 0.0f)
+        here.guide = frame_.lights.gleams_at({at.surface.position, at.normal});
+    if (asks) ask_lamp(path, here);
+    send_on(path, at, pick_onward(path, here), bsdf, stats);
+}
+
+// Where the surface sends the path by itself, or now and then towards a gleam: one density for both together.
+PathTile::Onward PathTile::pick_onward(const Path& path, const Scatterer& here) const {
+    const float u_lobe = sequence(path).one(path.sample, dimension(path, kLobePurpose));
+    const glm::vec2 u = sequence(path).two(path.sample, dimension(path, kDirectionPurpose));
+    Onward onward{here.bsdf.sample(u_lobe, u)};
+    onward.survival = brightest(onward.weight);
+    if (here.guide.empty() || onward.lobe != Lobe::Diffuse) return onward;
+    if (sequence(path).one(path.sample, dimension(path, kGleamPurpose)) < kGleamShare) {
+        const float u_gleam = sequence(path).one(path.sample, dimension(path, kWhichGleamPurpose));
+        onward.direction = here.guide.pick(u_gleam, u);
+    }
+    const LobeValue value = here.bsdf.value(Lobe::Diffuse, onward.direction);
+    onward.density = guided_density(here.bsdf, here.guide, value.density, onward.direction);
+    onward.weight = value.density > 0.0f ? value.value / onward.density : glm::vec3(0.0f);
+    onward.survival = value.density > 0.0f ? brightest(value.value / value.density) : 0.0f;
+    return onward;
 }
 
 // Cut-out and blended materials let some paths go on as if nothing was there.
@@ -144,13 +177,18 @@ Border PathTile::border_at(const Path& path, const ShadingPoint& at) const {
     return {.eta = sane(beyond.ior(), 1.0f, 5.0f) / own};
 }
 
-void PathTile::ask_lamp(const Path& path, const ShadingPoint& at, const Bsdf& bsdf) {
+void PathTile::ask_lamp(const Path& path, const Scatterer& here) {
+    const ShadingPoint& at = here.at;
+    const Bsdf& bsdf = here.bsdf;
     const LightQuery query{at.surface.position, bsdf.is_clear() ? glm::vec3(0.0f) : at.normal};
     const auto light = frame_.lights.sample(at.surface, query,
                                             sequence(path).one(path.sample, dimension(path, kLampPurpose)),
                                             sequence(path).two(path.sample, dimension(path, kOnLampPurpose)));
     if (!light) return;
-    const BsdfValue value = bsdf.value(light->direction);
+    BsdfValue value = bsdf.value(light->direction);
+    LobeValue& base = value[static_cast<std::size_t>(Lobe::Diffuse)];
+    if (!here.guide.empty() && base.density > 0.0f)
+        base.density = guided_density(bsdf, here.guide, base.density, light->direction);
     glm::vec3 diffuse(0.0f), gloss(0.0f);
     for (std::size_t i = 0; i < kLobes; ++i) {
         const bool is_alone = light->is_delta || frame_.settings.lamps == LampFinding::AskOnly;
@@ -199,15 +237,19 @@ void PathTile::split(const Path& path, const ShadingPoint& at, const Bsdf& bsdf,
         part.branch = path.branch * 2u + (passes ? 1u : 0u);
         part.is_leading = path.is_leading && share > 0.5f;
         if (!part.is_leading) part.channel = Channel::Specular;
-        send_on(part, at, bsdf.sample(passes ? 0x1.fffffep-1f : 0.0f, glm::vec2(0.0f)), bsdf, stats);
+        Onward onward{bsdf.sample(passes ? 0x1.fffffep-1f : 0.0f, glm::vec2(0.0f))};
+        onward.survival = brightest(onward.weight);
+        part.survival *= share;
+        send_on(part, at, onward, bsdf, stats);
     }
 }
 
-void PathTile::send_on(const Path& path, const ShadingPoint& at, const BsdfSample& sample, const Bsdf& bsdf,
+void PathTile::send_on(const Path& path, const ShadingPoint& at, const Onward& sample, const Bsdf& bsdf,
                        FrameStats& stats) {
     if (!(brightest(sample.weight) > 0.0f)) return;
     Path onward = path;
     onward.weight *= sample.weight;
+    onward.survival *= sample.survival;
     onward.ray = rc::spawn_ray(at.surface, sample.direction);
     const bool is_straight = sample.is_straight && is_smooth_glass(*at.material);
     if (sample.passes && frame_.view.prepared.parts[at.part].is_solid_glass) {
@@ -234,6 +276,8 @@ void PathTile::send_on(const Path& path, const ShadingPoint& at, const BsdfSampl
             onward.from = {at.surface.position, bsdf.is_clear() ? glm::vec3(0.0f) : at.normal};
             onward.density = sample.density;
             onward.has_bent = false;
+            onward.is_rough |=
+                sample.lobe != Lobe::Glass && !(sample.lobe == Lobe::Gloss && bsdf.alpha() < kRoughAlpha);
             onward.cone_angle +=
                 sample.lobe == Lobe::Gloss || sample.lobe == Lobe::Glass ? 2.0f * bsdf.alpha() : 0.5f;
         }
@@ -248,9 +292,10 @@ bool PathTile::survives(Path& path) const {
     if (!frame_.settings.uses_roulette || path.depth <= kRouletteDepth) return true;
     // Radiance is squeezed in glass, and comes out again as it was.
     const float ior = sane(path.media.ior(), 1.0f, 5.0f);
-    const float chance = std::min(1.0f, brightest(path.weight) * ior * ior);
+    const float chance = std::min(1.0f, path.survival * ior * ior);
     if (!(sequence(path).one(path.sample, dimension(path, kRoulettePurpose)) < chance)) return false;
     path.weight /= chance;
+    path.survival /= chance;
     return true;
 }
 

@@ -15,6 +15,7 @@ PathSettings realtime_path() {
     settings.splits_glass = true;
     settings.fills_planes = true;
     settings.most_indirect = 10.0f;
+    settings.least_indirect_roughness = 0.4f;
     settings.texture_taps = 4.0f;
     return settings;
 }

@@ -45,13 +45,19 @@ struct PathSettings {
     std::uint32_t seed = 0;  // another one is another, independent picture
     LampFinding lamps = LampFinding::Both;
     Caustics caustics = Caustics::Traced;
+    bool seeks_gleams =
+        true;  // sends some paths to the insides of lamp shades (gleams.h): less noise, no bias
     bool uses_roulette = true;  // ends faint paths by chance, the others count for them
     bool jitters = true;        // spreads samples over the pixel; otherwise all go through its middle
     // Whether the eye's path is split in two at smooth glass, so that each pixel's surfaces do not depend on chance.
     bool splits_glass = false;
     bool fills_planes = false;  // of the film, for filters
-    float most_indirect =
-        rc::kInfinity;  // clamps what one bounce or more brings: dims, only for a filter's good
+    // Two ways to trade fireflies for a bounded error; neither touches what the eye sees directly, in mirrors or through
+    // glass, nor the first light on it. Clamping takes what one path brings by one bounce or more down to this radiance:
+    // dims by what is above it. Roughening makes gloss (never glass) at least that rough once a path has been scattered
+    // by something rough (Kaplanyan and Dachsbacher 2013): blurs the patterns that metal focuses, keeps their energy.
+    float most_indirect = rc::kInfinity;
+    float least_indirect_roughness = 0.0f;
     float texture_taps = 8.0f;
     const Environment* environment = nullptr;  // instead of the sky
 };

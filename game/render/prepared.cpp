@@ -74,6 +74,7 @@ Prepared prepare(const world::Level& level, const world::Snapshot& rest, const J
 
     const Grid grid = make_grid(level.bounds, settings.spacing, settings.max_cells);
     prepared.lamp_lists = find_lamp_lists(level, rest, prepared.bulbs, grid, settings.lamp_list_rays, jobs);
+    prepared.gleams = find_gleams({level, rest, prepared}, grid, jobs);
     if (settings.bakes_ambient) {
         const BakeSettings bake{.rays = settings.rays, .bounces = settings.bounces};
         prepared.ambient = bake_ambient({level, rest, prepared}, grid, bake, jobs);

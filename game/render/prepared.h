@@ -9,6 +9,7 @@
 #include "base/jobs.h"
 #include "render/ambient.h"
 #include "render/emitters.h"
+#include "render/gleams.h"
 #include "render/gloss.h"
 #include "render/gloss_energy.h"
 #include "render/lamp.h"
@@ -46,6 +47,7 @@ struct Prepared {
     AmbientBake ambient;
     GlossTable gloss;
     std::vector<Emitter> emitters;  // what a path looks for besides lamps without a mesh
+    Gleams gleams;  // what lamps light so close by that a path looks for it as well
     GlossEnergy energy;
     bool has_clear_parts = false;
     // What surely blocks a shadow ray: the Blocker parts of a level that says which they are, else all that is drawn,
