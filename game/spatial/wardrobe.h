@@ -21,8 +21,10 @@
 
 namespace gh::spatial {
 
-// Refits above this are rebuilt: the share by which boxes that were fitted to another pose cost a random ray more.
-inline constexpr float kWorstDegradation = 1.3f;
+// Refits above this are rebuilt: how much more than in the pose it was built in a random ray costs. Walking and reaching
+// bring a guard to 1.4, where a new tree would cost nearly as much; at 2 rays take 1.2 to 1.3 times as long as in a new
+// one, and building pays from 60,000 rays a tick on (tools/bench/README.md).
+inline constexpr float kWorstDegradation = 2.0f;
 
 struct PosedBody {
     PoseKey key;

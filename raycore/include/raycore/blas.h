@@ -48,7 +48,7 @@ class Blas {
     [[nodiscard]] Box bounds() const;              // of the kept triangles; min > max when there is none
     [[nodiscard]] std::size_t byte_size() const;   // everything kept alive
     [[nodiscard]] float sah_cost() const;          // expected cost of a random ray; 1 per node, 1 per triangle
-    [[nodiscard]] float refit_degradation() const;  // sah_cost now / sah_cost when built; rebuild above 1.3
+    [[nodiscard]] float refit_degradation() const;  // sah_cost now / sah_cost when built; rebuild above 2
     [[nodiscard]] const Data& data() const { return *data_; }
     [[nodiscard]] Data& data() { return *data_; }
 
