@@ -141,6 +141,10 @@ Result<void> ask_others(const View& view, const Options& options, const Jobs& jo
 
 Result<void> judge_view(const View& view, const Options& options, const Jobs& jobs, Report& report) {
     if (auto judged = judge_pictures(view, options, jobs, report); !judged) return judged.error();
+    const auto real_time = truth_of(view, "real time", options, jobs),
+               all_light = truth_of(view, "path", options, jobs);
+    if (!real_time || !all_light) return (real_time ? all_light : real_time).error();
+    keep(report.findings, speed_error::left_out_in_real_time(*real_time, *all_light, view.name, jobs));
     judge_motion(view, options, jobs, report);
     for (Finding& gain : speed_error::filter_gains(report.rows)) keep(report.findings, std::move(gain));
     for (Finding& slope : speed_error::slopes(report.rows)) keep(report.findings, std::move(slope));

@@ -135,4 +135,19 @@ gh::Result<Finding> against_picture(const std::filesystem::path& path, const Ref
                    {"SSIM", metrics::ssim(seen, wanted)}}};
 }
 
+Finding left_out_in_real_time(const Reference& real_time, const Reference& all_light, const std::string& view,
+                              const gh::Jobs& jobs) {
+    const float exposure = gh::filter::metered_exposure(all_light.picture);
+    const gh::Image wanted = shown(all_light.picture, exposure, jobs),
+                    seen = shown(real_time.picture, exposure, jobs);
+    return {.table = "what path tracing leaves out in real time: both converged",
+            .view = view,
+            .name = "real time against all light",
+            .key = all_light.key,
+            .values = {{"brightness, share", brightness_ratio(real_time.picture, all_light.picture)},
+                       {"relMSE", metrics::rel_mse(real_time.picture, all_light.picture).all},
+                       {"trimmed", metrics::rel_mse(real_time.picture, all_light.picture).trimmed},
+                       {"FLIP", metrics::flip(seen, wanted).mean}}};
+}
+
 }  // namespace speed_error

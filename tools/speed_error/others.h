@@ -34,4 +34,8 @@ struct OtherSettings {
 [[nodiscard]] gh::Result<Finding> against_picture(const std::filesystem::path& picture, const Reference& own,
                                                   const OtherSettings& settings, const gh::Jobs& jobs);
 
+// What the path tracer leaves out in real time, once all noise is gone: few bounces, no focused light, clamps.
+[[nodiscard]] Finding left_out_in_real_time(const Reference& real_time, const Reference& all_light,
+                                            const std::string& view, const gh::Jobs& jobs);
+
 }  // namespace speed_error
