@@ -27,7 +27,8 @@ void aim(BenchScene& scene) {
     scene.lamp_high = low + size * glm::vec3(0.7f, 0.9f, 0.7f);
 }
 
-// Everything as it stands before the first tick, as one mesh.
+}  // namespace
+
 BenchScene flatten(const gh::world::Level& level) {
     BenchScene scene;
     scene.name = level.name;
@@ -48,6 +49,8 @@ BenchScene flatten(const gh::world::Level& level) {
     }
     return scene;
 }
+
+namespace {
 
 // Vertex count, triangle count, positions, indices: what a script can write in two lines.
 std::optional<BenchScene> read_raw(const std::string& path) {

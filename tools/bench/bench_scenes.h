@@ -11,6 +11,10 @@
 #include <string>
 #include <vector>
 
+namespace gh::world {
+struct Level;
+}
+
 namespace bench {
 
 struct Camera {
@@ -39,7 +43,10 @@ struct BenchScene {
 // "Teapot in a stadium": a million triangles a fraction of a millimetre wide on a plinth between few tens of metres wide.
 [[nodiscard]] BenchScene make_stadium();
 
-// Nothing when the file can not be read; the sentence is on stderr. Aimed by the file's first camera if it has one.
+// A level's parts as one mesh, as they stand before the first tick; aimed by its first camera if it has one.
+[[nodiscard]] BenchScene flatten(const gh::world::Level& level);
+
+// Nothing when the file can not be read; the sentence is on stderr.
 [[nodiscard]] std::optional<BenchScene> read_scene(const std::string& path);
 
 }  // namespace bench

@@ -83,7 +83,9 @@ BuildTime EmbreeCrowd::move(std::span<const glm::mat4x3> places) {
     });
 }
 
-Answer EmbreeCrowd::ask(std::span<const rc::Ray> rays, bool any) const {
+namespace {
+
+Answer ask_scene(RTCScene scene, std::span<const rc::Ray> rays, bool any) {
     Answer answer;
     RTCIntersectContext context;
     for (const rc::Ray& ray : rays) {
@@ -91,15 +93,63 @@ Answer EmbreeCrowd::ask(std::span<const rc::Ray> rays, bool any) const {
         RTCRayHit query;
         query.ray = embree_ray(ray);
         if (any) {
-            rtcOccluded1(impl_->scene, &context, &query.ray);
+            rtcOccluded1(scene, &context, &query.ray);
             answer.add(query.ray.tfar < 0, 0);
         } else {
             query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-            rtcIntersect1(impl_->scene, &context, &query);
+            rtcIntersect1(scene, &context, &query);
             answer.add(query.hit.geomID != RTC_INVALID_GEOMETRY_ID, query.hit.primID);
         }
     }
     return answer;
+}
+
+}  // namespace
+
+Answer EmbreeCrowd::ask(std::span<const rc::Ray> rays, bool any) const {
+    return ask_scene(impl_->scene, rays, any);
+}
+
+struct EmbreePlaced::Impl {
+    explicit Impl(unsigned threads) : device(threads) {}
+
+    EmbreeDevice device;
+    std::vector<RTCScene> meshes;
+    RTCScene scene = nullptr;
+};
+
+EmbreePlaced::EmbreePlaced(std::span<const BenchScene> meshes, std::span<const Placed> instances,
+                           unsigned threads)
+    : impl_(std::make_unique<Impl>(threads)) {
+    RTCDevice device = impl_->device.get();
+    for (const BenchScene& source : meshes) {
+        impl_->meshes.push_back(rtcNewScene(device));
+        rtcSetSceneBuildQuality(impl_->meshes.back(), RTC_BUILD_QUALITY_HIGH);
+        RTCGeometry mesh = new_embree_mesh(device, source, RTC_BUILD_QUALITY_HIGH);
+        rtcAttachGeometry(impl_->meshes.back(), mesh);
+        rtcReleaseGeometry(mesh);
+        rtcCommitScene(impl_->meshes.back());
+    }
+    impl_->scene = rtcNewScene(device);
+    for (const Placed& placed : instances) {
+        RTCGeometry instance = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+        rtcSetGeometryInstancedScene(instance, impl_->meshes[placed.mesh]);
+        rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                                &placed.world_from_instance[0][0]);
+        rtcCommitGeometry(instance);
+        rtcAttachGeometry(impl_->scene, instance);
+        rtcReleaseGeometry(instance);
+    }
+    rtcCommitScene(impl_->scene);
+}
+
+EmbreePlaced::~EmbreePlaced() {
+    rtcReleaseScene(impl_->scene);
+    for (RTCScene mesh : impl_->meshes) rtcReleaseScene(mesh);
+}
+
+Answer EmbreePlaced::ask(std::span<const rc::Ray> rays, bool any) const {
+    return ask_scene(impl_->scene, rays, any);
 }
 
 }  // namespace bench

@@ -77,4 +77,24 @@ class EmbreeCrowd {
     std::unique_ptr<Impl> impl_;
 };
 
+// Meshes placed as instances, as the game commits them; nothing moves.
+class EmbreePlaced {
+  public:
+    struct Placed {
+        std::size_t mesh;
+        glm::mat4x3 world_from_instance;
+    };
+
+    EmbreePlaced(std::span<const BenchScene> meshes, std::span<const Placed> instances, unsigned threads);
+    ~EmbreePlaced();
+    EmbreePlaced(const EmbreePlaced&) = delete;
+    EmbreePlaced& operator=(const EmbreePlaced&) = delete;
+
+    [[nodiscard]] Answer ask(std::span<const rc::Ray> rays, bool any) const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
 }  // namespace bench

@@ -2,6 +2,7 @@
 #include "bench_builds.h"
 #include "bench_casts.h"
 #include "bench_errors.h"
+#include "bench_placed.h"
 #include "bench_queries.h"
 #include "bench_refit.h"
 #include "bench_report.h"
@@ -32,8 +33,9 @@ Options read_options(int argc, char** argv) {
     Options options;
     CLI::App app(
         "Rays, builds, refits and casts of raycore beside Embree 3; without --scene, every built-in scene.");
-    app.add_option("--scene", options.scenes,
-                   "a glTF file, a raw mesh, or one of: museum interior landscape stadium cloth crowd refit");
+    app.add_option(
+        "--scene", options.scenes,
+        "a glTF file, a raw mesh, or one of: museum placed interior landscape stadium cloth crowd refit");
     app.add_option("--camera", options.camera, "x,y,z,yaw,pitch,fov in metres and radians")
         ->delimiter(',')
         ->expected(6);
@@ -63,8 +65,10 @@ Options read_options(int argc, char** argv) {
     return options;
 }
 
+constexpr const char* kMuseum = GLASSHOUSE_SOURCE_DIR "/assets/levels/foyer.glb";
+
 std::optional<bench::BenchScene> scene_named(const std::string& name) {
-    if (name == "museum") return bench::read_scene(GLASSHOUSE_SOURCE_DIR "/assets/levels/foyer.glb");
+    if (name == "museum") return bench::read_scene(kMuseum);
     if (name == "interior") return bench::make_interior();
     if (name == "landscape") return bench::make_landscape();
     if (name == "stadium") return bench::make_stadium();
@@ -92,6 +96,10 @@ bool run(bench::Report& report, const Options& options) {
             bench::bench_crowd(report, moving);
         } else if (name == "refit") {
             bench::bench_refit(report, {.rounds = options.rounds});
+        } else if (name == "placed") {
+            const bench::QueryOptions queries{options.rounds, options.keep, 1, options.batch,
+                                              !options.no_embree};
+            if (!bench::bench_placed(report, kMuseum, queries)) return false;
         } else {
             std::optional<bench::BenchScene> scene = scene_named(name);
             if (!scene) return false;
@@ -118,8 +126,8 @@ int main(int argc, char** argv) {
     const bool is_all = options.scenes.empty() && !options.hard_cases && !options.speed_error && !options.sah;
     if (options.sah && options.scenes.empty()) options.scenes = {"museum", "interior", "landscape"};
     if (is_all) {
-        options.scenes = {"museum", "interior", "cloth", "crowd", "refit"};
-        if (!options.is_quick) options.scenes.insert(options.scenes.begin() + 2, {"landscape", "stadium"});
+        options.scenes = {"museum", "placed", "interior", "cloth", "crowd", "refit"};
+        if (!options.is_quick) options.scenes.insert(options.scenes.begin() + 3, {"landscape", "stadium"});
     }
     bench::Report report;
     report.fact("instructions", std::string(rc::isa_name(rc::active_isa())));

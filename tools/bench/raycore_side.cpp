@@ -68,13 +68,17 @@ Answer RaycoreSide::ask(std::span<const rc::Ray> rays, bool any, std::size_t bat
 }
 
 rc::Counters RaycoreSide::count(std::span<const rc::Ray> rays, bool any) const {
+    return count_work(*scene_, rays, any);
+}
+
+rc::Counters count_work(const rc::Scene& scene, std::span<const rc::Ray> rays, bool any) {
     rc::Counters counters;
     if (any) {
         std::vector<std::uint8_t> is_hit(rays.size());
-        rc::any_hits(*scene_, rays, rc::kAllLayers, is_hit, &counters);
+        rc::any_hits(scene, rays, rc::kAllLayers, is_hit, &counters);
     } else {
         std::vector<rc::Hit> hits(rays.size());
-        rc::closest_hits(*scene_, rays, rc::kAllLayers, hits, &counters);
+        rc::closest_hits(scene, rays, rc::kAllLayers, hits, &counters);
     }
     return counters;
 }

@@ -35,6 +35,9 @@ class RaycoreSide {
 [[nodiscard]] Answer ask_batches(const rc::Scene& scene, std::span<const rc::Ray> rays, bool any,
                                  std::size_t batch);
 
+// What asking in batches does, by the counters.
+[[nodiscard]] rc::Counters count_work(const rc::Scene& scene, std::span<const rc::Ray> rays, bool any);
+
 [[nodiscard]] std::string name_of(rc::BuildQuality quality);
 
 }  // namespace bench
