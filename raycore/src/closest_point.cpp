@@ -23,15 +23,15 @@ constexpr double kSure = 1.0 - 0x1p-40;
 
 // The largest stretch of the way into an instance's frame, from above. Rotations and scales along the axes of either
 // frame are met exactly (Gershgorin's bound for A A^T and A^T A, the smaller).
-double stretch_of(const double (&rows)[12]) {
+double stretch_of(const double (&m)[4][4]) {
     double by_rows = 0, by_columns = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         double row_sum = 0, column_sum = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             double row = 0, column = 0;
             for (std::size_t j = 0; j < 3; ++j) {
-                row += rows[4 * i + j] * rows[4 * k + j];
-                column += rows[4 * j + i] * rows[4 * j + k];
+                row += m[j][i] * m[j][k];
+                column += m[i][j] * m[k][j];
             }
             row_sum += std::abs(row);
             column_sum += std::abs(column);
@@ -106,10 +106,10 @@ class Search {
         if (!view.is_identity) {
             double reach = 0, offset = 0, off = 0;
             for (std::size_t r = 0; r < 3; ++r) {
-                const double* row = view.local_from_world + 4 * r;
-                frame.point[r] = ((row[0] * point_.x + row[1] * point_.y) + row[2] * point_.z) + row[3];
-                off = std::max(off, std::abs(row[0] * point_.x) + std::abs(row[1] * point_.y) +
-                                        std::abs(row[2] * point_.z) + std::abs(row[3]));
+                const auto& m = view.local_from_world;
+                frame.point[r] = ((m[0][r] * point_.x + m[1][r] * point_.y) + m[2][r] * point_.z) + m[3][r];
+                off = std::max(off, std::abs(m[0][r] * point_.x) + std::abs(m[1][r] * point_.y) +
+                                        std::abs(m[2][r] * point_.z) + std::abs(m[3][r]));
                 offset = std::max(offset, std::abs(double(world_from_instance[3][r])));
                 for (std::size_t c = 0; c < 3; ++c)
                     reach = std::max(reach, std::abs(double(world_from_instance[c][r])) *

@@ -118,6 +118,7 @@ class Collapse {
         std::uint32_t lanes[kernel::kWidth];
         int n = 0;
         open(at, kernel::kWidth, plans_[at].lefts[1], lanes, n);
+        arrange(lanes, n);
         kernel::WideNode& node = nodes_[index];
         for (int i = n; i < kernel::kWidth; ++i) clear_lane(node, i, harmless_leaf_);
         std::uint32_t next = index + 1;
@@ -138,6 +139,24 @@ class Collapse {
         for (int i = 0; i < n; ++i) words |= node.layers[i];
         return leaves_.word_of_node(words, sizes_[at]);
     }
+
+    // The likeliest to end an any-hit walk soon into the highest lane.
+    void arrange(std::uint32_t lanes[kernel::kWidth], int n) const {
+        float worth[kernel::kWidth];
+        for (int i = 0; i < n; ++i) {
+            const std::uint32_t item = lanes[i];
+            const float worth_of_item = worth_of(binary_[item]);
+            int at = i;
+            for (; at > 0 && worth[at - 1] > worth_of_item; --at) {
+                worth[at] = worth[at - 1];
+                lanes[at] = lanes[at - 1];
+            }
+            worth[at] = worth_of_item;
+            lanes[at] = item;
+        }
+    }
+    // Surface a thing below: what is likely to be met, and soon told.
+    static float worth_of(const BinaryNode& node) { return half_area(node) / float(node.size()); }
 
     // Gives the children of `at` the lanes that were planned for them.
     void open(std::uint32_t at, int share, int lefts, std::uint32_t lanes[kernel::kWidth], int& n) const {

@@ -44,11 +44,11 @@ Box local_box(const kernel::InstanceView& instance, const glm::mat4x3& world_fro
     const double pad = 0x1p-20 * (farthest + 3 * reach);
     Box box;
     for (std::size_t r = 0; r < 3; ++r) {
-        const double* row = instance.local_from_world + 4 * r;
-        double low = row[3], high = row[3], slack = std::abs(row[3]) * 0x1p-50;
+        const auto& column = instance.local_from_world;
+        double low = column[3][r], high = column[3][r], slack = std::abs(column[3][r]) * 0x1p-50;
         for (std::size_t c = 0; c < 3; ++c) {
-            const double a = row[c] * (double(world_box.min[c]) - pad),
-                         b = row[c] * (double(world_box.max[c]) + pad);
+            const double a = column[c][r] * (double(world_box.min[c]) - pad),
+                         b = column[c][r] * (double(world_box.max[c]) + pad);
             low += std::min(a, b);
             high += std::max(a, b);
             slack += (std::abs(a) + std::abs(b)) * 0x1p-50;

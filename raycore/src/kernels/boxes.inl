@@ -47,14 +47,15 @@ static inline std::uint32_t pop(const Stack& stack, int& top, float s_max) {
     return stack.item[top];
 }
 
-// The next item after a node: the nearest of its children that are met (kNearestFirst; otherwise any), or what lies on
-// the stack when there is none. The other children are packed onto the stack, however many they are: all without a
-// branch. The nearest alone is worth finding: with the others in no order a ray opens 2 % more nodes.
+// The next item after a node: the nearest of its children that are met (kNearestFirst; otherwise the highest lane, which
+// is the likeliest to end a walk), or what lies on the stack when there is none. The other children are packed onto the
+// stack, however many they are: all without a branch. The nearest alone is worth finding: with the others in no order a
+// ray opens 2 % more nodes.
 template <bool kNearestFirst>
 static inline std::uint32_t next_below(const WideNode& node, const Entrances& e, std::uint32_t met,
                                        Stack& stack, int& top) {
-    const std::uint32_t first =
-        kNearestFirst ? lane_of_least(e.enter, met) : static_cast<std::uint32_t>(__builtin_ctz(met | 0x100u));
+    const std::uint32_t first = kNearestFirst ? lane_of_least(e.enter, met)
+                                              : 31u - static_cast<std::uint32_t>(__builtin_clz(met | 1));
     const std::uint32_t others = met & ~(1u << first);
     const std::uint32_t below = node.child[first & (kWidth - 1)], waiting = stack.item[top - 1];
     const Words child = load(node.child);

@@ -39,7 +39,8 @@ struct BlasView {
 };
 
 struct alignas(64) InstanceView {
-    double local_from_world[12];  // rows of three and a translation: found and applied in double
+    double local_from_world[4]
+                           [4];  // columns x, y, z, translation, four rows each: found and applied in double
     BlasView blas;
     std::uint32_t layers = 0;
     bool is_identity = false;  // the way into its frame changes no bit, and is not gone

@@ -41,7 +41,6 @@ static inline Quad with_sign(Quad a, QuadBits sign) {
 struct LocalRay {
     Quad origin;
     Quad direction;
-    Quad slope;      // direction per unit of |direction| on axis kz
     int kx, ky, kz;  // kz: the axis the ray runs along most
     float shear_x, shear_y;
     float dz, dz_abs;
@@ -70,7 +69,7 @@ inline constexpr Octants kOctants;
 
 // Distances along a box ray are |displacement on axis kz|: s = t * |dz|.
 struct BoxRay {
-    float slope_rcp[3], near_at_zero[3], far_at_zero[3];
+    Quad slope_rcp, near_at_zero, far_at_zero;
     float s_min, s_max;
     float dz_abs, s_pad;
     const Octant* octant;
@@ -111,9 +110,17 @@ static inline bool is_good(const RayIn& ray) {
     return (zero == 0.0f) & moves & (ray.t_min <= ray.t_max);
 }
 
-// `origin` and `direction` are read four wide. False when the direction has vanished or something has overflowed on
-// its way into the instance's frame: such a ray misses.
-static inline bool shear(const float* origin, const float* direction, LocalRay& ray) {
+// Whether a ray is fit to be asked after its way into an instance's frame: there its direction may have vanished, or
+// something may have overflowed. Such a ray misses.
+static inline bool has_arrived(const float* origin, const float* direction) {
+    const float farther = larger(absolute(direction[0]), absolute(direction[1]));
+    const bool moves = larger(farther, absolute(direction[2])) != 0.0f;
+    const bool is_finite = zero_if_finite(origin) + zero_if_finite(direction) == 0.0f;
+    return moves & is_finite;
+}
+
+// `origin` and `direction` are finite, the latter not zero, and read four wide.
+static inline void shear(const float* origin, const float* direction, LocalRay& ray) {
     static constexpr int kNext[3] = {1, 2, 0}, kAfterNext[3] = {2, 0, 1};
     ray.origin = load_quad(origin);
     ray.direction = load_quad(direction);
@@ -126,13 +133,14 @@ static inline bool shear(const float* origin, const float* direction, LocalRay& 
     ray.kx = kNext[ray.kz];
     ray.ky = kAfterNext[ray.kz];
     ray.dz = direction[ray.kz];
-    ray.slope = ray.direction / quad_of(ray.dz_abs);
-    ray.shear_x = direction[ray.kx] / ray.dz;
-    ray.shear_y = direction[ray.ky] / ray.dz;
+    const Quad slope = ray.direction / quad_of(ray.dz);
+    float slopes[4];
+    __builtin_memcpy(slopes, &slope, sizeof(slope));
+    ray.shear_x = slopes[ray.kx];
+    ray.shear_y = slopes[ray.ky];
     ray.at_kx = origin[ray.kx];
     ray.at_ky = origin[ray.ky];
     ray.at_kz = origin[ray.kz];
-    return (ray.dz != 0.0f) & (zero_if_finite(origin) + zero_if_finite(direction) == 0.0f);
 }
 
 struct TreeBounds {
@@ -149,26 +157,21 @@ static inline void aim_at_boxes(const LocalRay& ray, const TreeBounds& tree, flo
     __builtin_memcpy(reaches, &reach, sizeof(reach));
     const float reach_z = reaches[ray.kz];
 
-    const Quad steepness = absolute(ray.slope);
+    // No slope is steeper than 1; one below 2^-40 strays from the true ray by less than the term with 2^-39.
     const Quad pad = (absolute(ray.origin) + reach) * quad_of(0x1p-21f) +
-                     (steepness * quad_of(0x1p-21f) + quad_of(0x1p-39f)) * quad_of(reach_z) +
-                     quad_of(tree.extra_pad + 0x1p-100f);
-    // A slope below 2^-40 strays from the true ray by less than the term with 2^-39.
-    const QuadBits sign = sign_of(ray.slope);
-    Quad size = quad_max(absolute(ray.direction), quad_of(ray.dz_abs * 0x1p-40f)),
-         length = quad_of(ray.dz_abs);
-    if (ray.dz_abs < 0x1p-80f) {  // the product above may have vanished
-        size = quad_max(steepness, quad_of(0x1p-40f));
+                     quad_of((0x1p-21f + 0x1p-39f) * reach_z + (tree.extra_pad + 0x1p-100f));
+    const QuadBits sign = sign_of(ray.direction);
+    Quad length = quad_of(ray.dz_abs);
+    Quad size = quad_max(absolute(ray.direction), quad_of(ray.dz_abs * 0x1p-40f));
+    if (ray.dz_abs < 0x1p-80f) {  // the product may have vanished
+        size = quad_max(absolute(ray.direction / length), quad_of(0x1p-40f));
         length = quad_of(1.0f);
     }
     const Quad rcp = with_sign(length / size, sign);
     const Quad towards = with_sign(pad, sign);
-    const Quad near_at_zero = -(ray.origin + towards) * rcp, far_at_zero = -(ray.origin - towards) * rcp;
-    for (int a = 0; a < 3; ++a) {
-        box.slope_rcp[a] = rcp[a];
-        box.near_at_zero[a] = near_at_zero[a];
-        box.far_at_zero[a] = far_at_zero[a];
-    }
+    box.slope_rcp = rcp;
+    box.near_at_zero = -(ray.origin + towards) * rcp;
+    box.far_at_zero = -(ray.origin - towards) * rcp;
     box.octant = &kOctants.of[(sign[0] < 0 ? 1 : 0) | (sign[1] < 0 ? 2 : 0) | (sign[2] < 0 ? 4 : 0)];
 
     box.dz_abs = ray.dz_abs;
@@ -180,14 +183,21 @@ static inline void aim_at_boxes(const LocalRay& ray, const TreeBounds& tree, flo
 }
 
 // The ray in the instance's own frame; the direction is not made unit, so t keeps its meaning. Rounded once.
-static inline void to_local(const double m[12], const RayIn& ray, float origin[3], float direction[3]) {
-    const double ox = double(ray.origin[0]), oy = double(ray.origin[1]), oz = double(ray.origin[2]);
-    const double dx = double(ray.direction[0]), dy = double(ray.direction[1]), dz = double(ray.direction[2]);
-    for (int r = 0; r < 3; ++r) {
-        const double* row = m + 4 * r;
-        origin[r] = float(((row[0] * ox + row[1] * oy) + row[2] * oz) + row[3]);
-        direction[r] = float((row[0] * dx + row[1] * dy) + row[2] * dz);
-    }
+static inline void to_local(const double (&m)[4][4], const RayIn& ray, float origin[4], float direction[4]) {
+    typedef double Column __attribute__((vector_size(32)));
+    Column x, y, z, offset;
+    __builtin_memcpy(&x, m[0], sizeof(x));
+    __builtin_memcpy(&y, m[1], sizeof(y));
+    __builtin_memcpy(&z, m[2], sizeof(z));
+    __builtin_memcpy(&offset, m[3], sizeof(offset));
+    const auto sum = [&](const float v[3]) {
+        const double vx = double(v[0]), vy = double(v[1]), vz = double(v[2]);
+        return (x * Column{vx, vx, vx, vx} + y * Column{vy, vy, vy, vy}) + z * Column{vz, vz, vz, vz};
+    };
+    const Quad o = __builtin_convertvector(sum(ray.origin) + offset, Quad);
+    const Quad d = __builtin_convertvector(sum(ray.direction), Quad);
+    __builtin_memcpy(origin, &o, sizeof(o));
+    __builtin_memcpy(direction, &d, sizeof(d));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@ static inline HitOut to_hit(const Candidate& c) {
 
 // Keeps the nearest `capacity` in order. A primitive met twice (its pieces in two leaves) counts once.
 struct CrossingsSink {
+    static constexpr bool kNearestFirst = true;
     float t_min, t_limit;
     HitOut* out;
     std::uint32_t capacity;

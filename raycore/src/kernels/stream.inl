@@ -123,8 +123,14 @@ class Stream {
 
     bool enter(Walker<Sink>& walker, std::uint32_t id) {
         const Sink& sink = walker.sink;
-        if (!enter_instance(scene_, id, rays_[walker.ray], sink.t_min, sink.t_limit, walker.local))
+        const RayIn& ray = rays_[walker.ray];
+        if (!is_single_instance(scene_) && takes_world_ray(scene_, id)) {
+            walker.local.ray = walker.above.ray;
+            walker.local.box = walker.above.box;
+            stand_at_root(scene_, id, ray, walker.local);
+        } else if (!enter_instance(scene_, id, ray, sink.t_min, sink.t_limit, walker.local)) {
             return false;
+        }
         ++counts_.instances;
         walker.top = empty_stack(walker.stack);
         walker.item = walker.local.root;
@@ -154,7 +160,8 @@ class Stream {
             const std::uint32_t id = scene_.root & ~kLeafBit;
             return (scene_.instances[id].layers & layers_) != 0 && enter(walker, id);
         }
-        return walker.above.begin(scene_, ray, walker.sink.t_min, walker.sink.t_limit) && enter_next(walker);
+        walker.above.begin(scene_, ray, walker.sink.t_min, walker.sink.t_limit);
+        return enter_next(walker);
     }
 
     const SceneView& scene_;

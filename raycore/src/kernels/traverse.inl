@@ -45,7 +45,7 @@ struct AnySink {
     bool is_done() const { return is_hit; }
 };
 
-// A ray in an instance's own frame.
+// A ray in a tree's own frame.
 struct InstanceRay {
     LocalRay ray;
     BoxRay box;
@@ -56,25 +56,48 @@ struct InstanceRay {
     std::uint32_t skip;  // a primitive that is not met
 };
 
-// False when the ray is not to be met there.
-static inline bool enter_instance(const SceneView& scene, std::uint32_t id, const RayIn& world, float t_min,
-                                  float t_limit, InstanceRay& local) {
-    const InstanceView& instance = scene.instances[id];
-    if (instance.is_identity) {
-        if (!shear(world.origin, world.direction, local.ray)) return false;
-    } else {
-        float origin[4] = {}, direction[4] = {};
-        to_local(instance.local_from_world, world, origin, direction);
-        if (!shear(origin, direction, local.ray)) return false;
-    }
-    const BlasView& blas = instance.blas;
-    aim_at_boxes(local.ray, {blas.min, blas.max, 0.0f}, t_min, t_limit, local.box);
+static inline void stand_at_root(const SceneView& scene, std::uint32_t id, const RayIn& world,
+                                 InstanceRay& local) {
+    const BlasView& blas = scene.instances[id].blas;
     local.nodes = blas.nodes;
     local.leaves = blas.leaves;
     local.root = blas.root;
     local.instance = id;
     local.skip = id == world.skip_instance ? world.skip_primitive : kEmptyTree;
+}
+
+// False when the ray is not to be met there.
+static inline bool enter_instance(const SceneView& scene, std::uint32_t id, const RayIn& world, float t_min,
+                                  float t_limit, InstanceRay& local) {
+    const InstanceView& instance = scene.instances[id];
+    if (instance.is_identity) {
+        shear(world.origin, world.direction, local.ray);
+    } else {
+        float origin[4], direction[4];
+        to_local(instance.local_from_world, world, origin, direction);
+        if (!has_arrived(origin, direction)) return false;
+        shear(origin, direction, local.ray);
+    }
+    aim_at_boxes(local.ray, {instance.blas.min, instance.blas.max, 0.0f}, t_min, t_limit, local.box);
+    stand_at_root(scene, id, world, local);
     return true;
+}
+
+// Makes a ray ready for the top-level tree.
+static inline void enter_scene(const SceneView& scene, const RayIn& world, float t_min, float t_limit,
+                               LocalRay& ray, BoxRay& box) {
+    shear(world.origin, world.direction, ray);
+    float farthest = 0.0f;
+    for (int a = 0; a < 3; ++a) farthest = larger(farthest, absolute(world.origin[a]));
+    // 2^-20: sixteen roundings, of which the way into the instance's frame and back to t can spend eleven.
+    aim_at_boxes(ray, {scene.min, scene.max, farthest * scene.condition * 0x1p-20f}, t_min, t_limit, box);
+}
+
+// Where no instance is stretched much, the padding for the whole scene hardly exceeds that for one instance, and
+// instances that stand in the world's own frame take the ray as it is.
+inline constexpr float kSharedCondition = 8.0f;
+static inline bool takes_world_ray(const SceneView& scene, std::uint32_t id) {
+    return scene.instances[id].is_identity & (scene.condition <= kSharedCondition);
 }
 
 struct Leaf {
@@ -104,8 +127,13 @@ static inline bool test_lanes(const Leaf& leaf, std::uint32_t maybe, InstanceRay
     return false;
 }
 
+static inline void push(Stack& stack, int& top, std::uint32_t item, float near) {
+    stack.item[top] = item;
+    stack.near[top++] = near;
+}
+
 // The nearest child that is met; the others go onto the stack, the next nearest on top.
-static inline std::uint32_t order_children(const InstanceRay& local, const WideNode& node,
+static inline std::uint32_t order_children(const WideNode* nodes, const float* leaves, const WideNode& node,
                                            const float near[kWidth], std::uint32_t met, Stack& stack,
                                            int& top) {
     const int first = __builtin_ctz(met);
@@ -113,19 +141,18 @@ static inline std::uint32_t order_children(const InstanceRay& local, const WideN
     float nearest_at = near[first];
     met &= met - 1;
     if (met == 0) return nearest;
-    prefetch<3>(local.nodes, local.leaves, nearest);
     const int base = top;
     do {  // insertion, farthest first: two or three are met on average
         const int lane = __builtin_ctz(met);
         met &= met - 1;
         const std::uint32_t item = node.child[lane];
         const float at = near[lane];
-        prefetch<3>(local.nodes, local.leaves, item);
         const bool swap = at < nearest_at;
         const std::uint32_t farther = swap ? nearest : item;
         const float farther_at = swap ? nearest_at : at;
         nearest = swap ? item : nearest;
         nearest_at = swap ? at : nearest_at;
+        prefetch<3>(nodes, leaves, farther);
         int i = top++;
         for (; i > base && stack.near[i - 1] < farther_at; --i) {
             stack.item[i] = stack.item[i - 1];
@@ -137,11 +164,32 @@ static inline std::uint32_t order_children(const InstanceRay& local, const WideN
     return nearest;
 }
 
+// The child likeliest to end an any-hit walk, which is the highest lane (collapse.cpp); the others go onto the stack.
+static inline std::uint32_t likeliest_child(const WideNode* nodes, const float* leaves, const WideNode& node,
+                                            const Entrances& e, std::uint32_t met, Stack& stack, int& top) {
+    const std::uint32_t first = 31u - std::uint32_t(__builtin_clz(met));
+    const std::uint32_t others = met & ~(1u << first);
+    store(stack.item + top, compress(load(node.child), others));
+    store(stack.near + top, compress(e.enter, others));
+    top += __builtin_popcount(others);
+    prefetch<4>(nodes, leaves, stack.item[top - 1]);
+    return node.child[first];
+}
+
+// What comes after a node of which the children `met` are met.
 template <class Sink>
-static bool walk_instance(const SceneView& scene, std::uint32_t id, const RayIn& world, Sink& sink,
-                          Counts& counts) {
-    InstanceRay local;
-    if (!enter_instance(scene, id, world, sink.t_min, sink.t_limit, local)) return false;
+static inline std::uint32_t next_item(const WideNode* nodes, const float* leaves, const WideNode& node,
+                                      const Entrances& e, std::uint32_t met, float s_max, Stack& stack,
+                                      int& top) {
+    if (met == 0) return pop(stack, top, s_max);
+    if constexpr (!Sink::kNearestFirst) return likeliest_child(nodes, leaves, node, e, met, stack, top);
+    alignas(32) float near[kWidth];
+    store(near, e.enter);
+    return order_children(nodes, leaves, node, near, met, stack, top);
+}
+
+template <class Sink>
+static bool walk_tree(InstanceRay& local, Sink& sink, Counts& counts) {
     ++counts.instances;
     Stack stack;
     int top = empty_stack(stack);
@@ -151,13 +199,8 @@ static bool walk_instance(const SceneView& scene, std::uint32_t id, const RayIn&
             const WideNode& node = local.nodes[item];
             ++counts.nodes;
             const Entrances e = enter_boxes(node, local.box);
-            alignas(32) float near[kWidth];
-            store(near, e.enter);
             const std::uint32_t met = less_equal_bits(e.enter, e.leave);
-            if (met == 0)
-                item = pop(stack, top, local.box.s_max);
-            else
-                item = order_children(local, node, near, met, stack, top);
+            item = next_item<Sink>(local.nodes, local.leaves, node, e, met, local.box.s_max, stack, top);
         }
         if (item == kEmptyTree) return false;
         ++counts.leaves;
@@ -167,21 +210,24 @@ static bool walk_instance(const SceneView& scene, std::uint32_t id, const RayIn&
     }
 }
 
+template <class Sink>
+static bool walk_instance(const SceneView& scene, std::uint32_t id, const RayIn& world, Sink& sink,
+                          Counts& counts) {
+    InstanceRay local;
+    return enter_instance(scene, id, world, sink.t_min, sink.t_limit, local) &&
+           walk_tree(local, sink, counts);
+}
+
 // A ray's walk over the top-level tree: the instances it may meet, the nearest boxes first.
 struct TopWalk {
+    LocalRay ray;
     BoxRay box;
     Stack stack;
     int top;
 
-    bool begin(const SceneView& scene, const RayIn& world, float t_min, float t_limit) {
-        LocalRay ray;
-        if (!shear(world.origin, world.direction, ray)) return false;
-        float farthest = 0.0f;
-        for (int a = 0; a < 3; ++a) farthest = larger(farthest, absolute(world.origin[a]));
-        // 2^-20: sixteen roundings, of which the way into the instance's frame and back to t can spend eleven.
-        aim_at_boxes(ray, {scene.min, scene.max, farthest * scene.condition * 0x1p-20f}, t_min, t_limit, box);
+    void begin(const SceneView& scene, const RayIn& world, float t_min, float t_limit) {
+        enter_scene(scene, world, t_min, t_limit, ray, box);
         top = start_stack(stack, scene.root);
-        return true;
     }
 
     // kEmptyTree when there is none left, which is the last that may be asked for.
@@ -208,21 +254,49 @@ static inline bool is_single_instance(const SceneView& scene) {
     return (scene.root & kLeafBit) != 0;  // which needs no tree
 }
 
+// True when the sink has seen enough.
+template <class Sink>
+static bool walk_top(const SceneView& scene, const RayIn& world, std::uint32_t layers, Sink& sink,
+                     Counts& counts) {
+    InstanceRay
+        in_world;  // a ray of the top-level tree, and of every tree that stands in the world's own frame
+    BoxRay& box = in_world.box;
+    enter_scene(scene, world, sink.t_min, sink.t_limit, in_world.ray, box);
+    Stack stack;
+    int top = empty_stack(stack);
+    std::uint32_t item = scene.root;
+    for (;;) {
+        while (!(item & kLeafBit)) {
+            const WideNode& node = scene.nodes[item];
+            ++counts.nodes;
+            const Entrances e = enter_boxes(node, box);
+            const std::uint32_t met =
+                less_equal_bits(e.enter, e.leave) & common_bits(load(node.layers), layers);
+            item = next_item<Sink>(scene.nodes, nullptr, node, e, met, box.s_max, stack, top);
+        }
+        if (item == kEmptyTree) return false;
+        const std::uint32_t id = item & ~kLeafBit;
+        if (takes_world_ray(scene, id)) {
+            stand_at_root(scene, id, world, in_world);
+            if (walk_tree(in_world, sink, counts)) return true;
+        } else {
+            if (walk_instance(scene, id, world, sink, counts)) return true;
+            box.s_max = s_limit(box, sink.t_limit);
+        }
+        item = pop(stack, top, box.s_max);
+    }
+}
+
 template <class Sink>
 static void walk_scene(const SceneView& scene, const RayIn& world, std::uint32_t layers, Sink& sink,
                        Counts& counts) {
     if (scene.root == kEmptyTree) return;
-    if (is_single_instance(scene)) {
-        const std::uint32_t id = scene.root & ~kLeafBit;
-        if ((scene.instances[id].layers & layers) != 0) walk_instance(scene, id, world, sink, counts);
+    if (!is_single_instance(scene)) {
+        walk_top(scene, world, layers, sink, counts);
         return;
     }
-    TopWalk walk;
-    if (!walk.begin(scene, world, sink.t_min, sink.t_limit)) return;
-    for (;;) {
-        const std::uint32_t id = walk.next(scene, layers, sink.t_limit, counts);
-        if (id == kEmptyTree || walk_instance(scene, id, world, sink, counts)) return;
-    }
+    const std::uint32_t id = scene.root & ~kLeafBit;
+    if ((scene.instances[id].layers & layers) != 0) walk_instance(scene, id, world, sink, counts);
 }
 
 }  // namespace
