@@ -40,7 +40,7 @@ struct BinaryTree {
 
 struct SplitCosts {
     std::uint32_t max_leaf = 8;
-    float step = 0.5f;  // of a binary node
+    float step = 0.7f;  // of a binary node
     float leaf = 1.0f;  // of a leaf whatever it holds
     float item = 0.3f;  // of each thing in it
 };
