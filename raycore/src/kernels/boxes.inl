@@ -83,14 +83,28 @@ static inline int trim(Stack& stack, int top, float s_max) {
     return kept;
 }
 
+// Where the items of a tree lie.
+struct Places {
+    const WideNode* nodes;
+    const void* leaves;
+    std::uint32_t leaf_mask, leaf_bytes;
+};
+
+static inline Places places_of_blas(const WideNode* nodes, const float* leaves) {
+    return {nodes, leaves, kLeafFirstMask, kWordsPerTriangle * sizeof(float)};
+}
+static inline Places places_of_scene(const SceneView& scene) {
+    return {scene.nodes, scene.instances, ~kLeafBit, sizeof(InstanceView)};
+}
+
 // Asks for an item's memory before it is its turn: nodes and leaves of a large scene are a cache miss each. No branch
 // on what it is: a wrong guess would cost more than the miss.
 template <int kLines>
-static inline void prefetch(const WideNode* nodes, const float* leaves, std::uint32_t item) {
+static inline void prefetch(const Places& places, std::uint32_t item) {
     const std::uint64_t node =
-        reinterpret_cast<std::uint64_t>(nodes) + std::uint64_t{item} * sizeof(WideNode);
-    const std::uint64_t leaf = reinterpret_cast<std::uint64_t>(leaves) +
-                               std::uint64_t{item & kLeafFirstMask} * (kWordsPerTriangle * sizeof(float));
+        reinterpret_cast<std::uint64_t>(places.nodes) + std::uint64_t{item} * sizeof(WideNode);
+    const std::uint64_t leaf = reinterpret_cast<std::uint64_t>(places.leaves) +
+                               std::uint64_t{item & places.leaf_mask} * places.leaf_bytes;
     const std::uint64_t is_leaf = 0 - std::uint64_t{item >> 31};
     const char* at = reinterpret_cast<const char*>(node ^ ((node ^ leaf) & is_leaf));
     for (int line = 0; line < kLines; ++line) __builtin_prefetch(at + 64 * line);

@@ -71,7 +71,7 @@ static inline void walk_beam(const WideNode* nodes, const float* leaves, std::ui
         if constexpr (kIsTlas) met &= common_bits(load(node.layers), layers);
         for (const int base = top; met != 0; met &= met - 1) {
             const int lane = __builtin_ctz(met);
-            if constexpr (!kIsTlas) prefetch<4>(nodes, leaves, node.child[lane]);
+            if constexpr (!kIsTlas) prefetch<4>(places_of_blas(nodes, leaves), node.child[lane]);
             int i = top++;  // insertion, farthest first
             for (; i > base && stack[i - 1].near < near[lane]; --i) stack[i] = stack[i - 1];
             stack[i] = {item, lane, near[lane]};

@@ -202,44 +202,22 @@ static inline std::uint32_t meet_box(const WideNode& node, int lane, const Packe
     return less_equal_bits(enter, leave);
 }
 
-// Rays of a group against one triangle: filter() and decide() of triangle.inl with lanes and rows exchanged.
-struct Meetings {
-    std::uint32_t met;
-    Float t;
-    Double weight1, weight2, weight_sum;
-};
-
+// Rays of a group against one triangle. m.met is 0 where none is met, and then nothing else means anything.
 static inline void meet_triangle(const float* rows, std::uint32_t count, std::uint32_t triangle,
                                  const PacketRays& rays, int group, std::uint32_t asked, Meetings& m) {
     const int at = kWidth * group;
     const Float ox = load(rays.origin[rays.kx] + at), oy = load(rays.origin[rays.ky] + at),
                 oz = load(rays.origin[rays.kz] + at);
     const Float sx = load(rays.shear_x + at), sy = load(rays.shear_y + at);
-    Float x[3], y[3], z[3];
+    Corners c;
     for (std::uint32_t i = 0; i < 3; ++i) {
         const float* corner = rows + 3 * i * count + triangle;
-        z[i] = splat(corner[std::uint32_t(rays.kz) * count]) - oz;
-        x[i] = (splat(corner[std::uint32_t(rays.kx) * count]) - ox) - sx * z[i];
-        y[i] = (splat(corner[std::uint32_t(rays.ky) * count]) - oy) - sy * z[i];
+        c.z[i] = splat(corner[std::uint32_t(rays.kz) * count]) - oz;
+        c.x[i] = (splat(corner[std::uint32_t(rays.kx) * count]) - ox) - sx * c.z[i];
+        c.y[i] = (splat(corner[std::uint32_t(rays.ky) * count]) - oy) - sy * c.z[i];
     }
-    const Float u = x[2] * y[1] - y[2] * x[1];
-    const Float v = x[0] * y[2] - y[0] * x[2];
-    const Float w = x[1] * y[0] - y[1] * x[0];
-    m.met = ~opposite_bits(min(u, min(v, w)), max(u, max(v, w))) & asked;
-    if (m.met == 0) return;
-    const Double x0 = widen(x[0]), x1 = widen(x[1]), x2 = widen(x[2]);
-    const Double y0 = widen(y[0]), y1 = widen(y[1]), y2 = widen(y[2]);
-    const Double w0 = x2 * y1 - y2 * x1;
-    const Double w1 = x0 * y2 - y0 * x2;
-    const Double w2 = x1 * y0 - y1 * x0;
-    const std::uint32_t front = not_negative_bits(w0) & not_negative_bits(w1) & not_negative_bits(w2);
-    const std::uint32_t back = not_positive_bits(w0) & not_positive_bits(w1) & not_positive_bits(w2);
-    m.weight_sum = (w0 + w1) + w2;
-    m.met &= (front | back) & ~(not_negative_bits(m.weight_sum) & not_positive_bits(m.weight_sum));
-    m.t = narrow(((w0 * widen(z[0]) + w1 * widen(z[1])) + w2 * widen(z[2])) /
-                 (m.weight_sum * widen(load(rays.direction[rays.kz] + at))));
-    m.weight1 = w1;
-    m.weight2 = w2;
+    m.met = maybe_bits(c) & asked;
+    if (m.met != 0) decide(c, load(rays.direction[rays.kz] + at), m.met, m);
 }
 
 }  // namespace

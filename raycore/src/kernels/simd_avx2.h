@@ -59,6 +59,10 @@ struct Words {
 static inline Words load(const std::uint32_t* p) {
     return {_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p))};
 }
+// The bits of eight floats.
+static inline Words words_at(const float* p) {
+    return {_mm256_castps_si256(_mm256_loadu_ps(p))};
+}
 static inline void store(std::uint32_t* p, Words a) {
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(p), a.v);
 }

@@ -76,6 +76,12 @@ static inline Words load(const std::uint32_t* p) {
     for (int i = 0; i < 8; ++i) r.lane[i] = p[i];
     return r;
 }
+// The bits of eight floats.
+static inline Words words_at(const float* p) {
+    Words r;
+    __builtin_memcpy(r.lane, p, sizeof(r.lane));
+    return r;
+}
 static inline void store(std::uint32_t* p, Words a) {
     for (int i = 0; i < 8; ++i) p[i] = a.lane[i];
 }

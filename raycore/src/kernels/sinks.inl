@@ -9,7 +9,7 @@ static inline HitOut to_hit(const Candidate& c) {
 
 // Keeps the nearest `capacity` in order. A primitive met twice (its pieces in two leaves) counts once.
 struct CrossingsSink {
-    static constexpr bool kNearestFirst = true;
+    static constexpr bool kIsAny = false;
     float t_min, t_limit;
     HitOut* out;
     std::uint32_t capacity;
@@ -20,17 +20,16 @@ struct CrossingsSink {
         return a.instance != b.instance ? a.instance < b.instance : a.primitive < b.primitive;
     }
 
-    bool take(const Candidate& c) {
+    void take(const Candidate& c) {
         const HitOut hit = to_hit(c);
         std::uint32_t at = count;
         while (at > 0 && precedes(hit, out[at - 1])) --at;
         const bool known = at > 0 && !precedes(out[at - 1], hit);
-        if (known || at == capacity) return false;
+        if (known || at == capacity) return;
         if (count < capacity) ++count;
         for (std::uint32_t i = count - 1; i > at; --i) out[i] = out[i - 1];
         out[at] = hit;
         if (count == capacity) t_limit = out[count - 1].t;
-        return false;
     }
 };
 

@@ -51,7 +51,7 @@ class Stream {
             const Entrances e = enter_boxes(node, walker.local.box);
             const std::uint32_t met = less_equal_bits(e.enter, e.leave);
             int top = walker.top;
-            walker.item = next_below<Sink::kNearestFirst>(node, e, met, walker.stack, top);
+            walker.item = next_below<!Sink::kIsAny>(node, e, met, walker.stack, top);
             walker.top = top;
         }
         counts_.nodes += std::uint64_t(n);
@@ -65,7 +65,7 @@ class Stream {
         for (int i = 0; i < n; ++i) {
             Walker<Sink>& walker = *from[i];
             const std::uint32_t item = walker.item;
-            prefetch<4>(walker.local.nodes, walker.local.leaves, item);
+            prefetch<4>(places_of_blas(walker.local.nodes, walker.local.leaves), item);
             node_rays_[nodes] = leaf_rays_[leaves] = &walker;
             nodes += int(item >> 31) ^ 1;
             leaves += int(item >> 31);
@@ -90,7 +90,7 @@ class Stream {
         for (int i = 0; i < n_testing; ++i) {
             Walker<Sink>& walker = *testing[i];
             const Leaf leaf = leaf_at(walker.local.leaves, walker.item);
-            walker.maybe = filter(leaf.rows, leaf.count, walker.local.ray);
+            walker.maybe = filter(leaf, corners_of(leaf.rows, leaf.count, walker.local.ray));
             maybe[n_maybe] = &walker;
             n_maybe += walker.maybe != 0;
         }
@@ -105,7 +105,8 @@ class Stream {
     void decide_leaf(Walker<Sink>& walker) {
         const float limit = walker.sink.t_limit;
         const Leaf leaf = leaf_at(walker.local.leaves, walker.item);
-        if (test_lanes(leaf, walker.maybe, walker.local, walker.sink))
+        const Corners corners = corners_of(leaf.rows, leaf.count, walker.local.ray);
+        if (test_lanes(leaf, corners, walker.maybe, walker.local, walker.sink))
             walker.top = 1;  // seen enough: only the end is left on the stack
         else if (walker.sink.t_limit != limit)
             walker.top = trim(walker.stack, walker.top, walker.local.box.s_max);
@@ -115,7 +116,8 @@ class Stream {
     bool enter_next(Walker<Sink>& walker) {
         if (is_single_instance(scene_) || walker.sink.is_done()) return false;
         for (;;) {
-            const std::uint32_t id = walker.above.next(scene_, layers_, walker.sink.t_limit, counts_);
+            const std::uint32_t id =
+                walker.above.template next<Sink>(scene_, layers_, walker.sink.t_limit, counts_);
             if (id == kEmptyTree) return false;
             if (enter(walker, id)) return true;
         }

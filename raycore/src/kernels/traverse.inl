@@ -1,7 +1,7 @@
 // kernels/traverse.inl - one ray's walk: from the top-level tree into instances, from their trees into triangle blocks.
 //
 // What is done with a hit is the sink's business (sinks.inl): the walk asks `sink.t_limit`, beyond which nothing
-// matters, and hands every candidate within it to `sink.take`, which says whether to stop.
+// matters, and hands every candidate within it to `sink.take`; a sink that only asks for any ends the walk.
 
 namespace rc::kernel::RC_ISA {
 namespace {
@@ -10,7 +10,7 @@ inline constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
 
 // Keeps the nearest; equal t keeps the lower instance, then the lower primitive.
 struct ClosestSink {
-    static constexpr bool kNearestFirst = true;  // what is near comes first
+    static constexpr bool kIsAny = false;  // the nearest children come first, and every candidate counts
     float t_min, t_limit;
     Candidate best;
 
@@ -19,20 +19,19 @@ struct ClosestSink {
         t_limit = finite_limit(ray.t_max);
         best.primitive = best.instance = kNobody;
     }
-    bool take(const Candidate& c) {
+    void take(const Candidate& c) {
         const bool lower =
             c.instance < best.instance || (c.instance == best.instance && c.primitive < best.primitive);
         if (c.t < t_limit || lower) {
             best = c;
             t_limit = c.t;
         }
-        return false;
     }
     bool is_done() const { return false; }
 };
 
 struct AnySink {
-    static constexpr bool kNearestFirst = false;
+    static constexpr bool kIsAny = true;
     float t_min, t_limit;
     bool is_hit;
 
@@ -41,7 +40,6 @@ struct AnySink {
         t_limit = finite_limit(ray.t_max);
         is_hit = false;
     }
-    bool take(const Candidate&) { return is_hit = true; }
     bool is_done() const { return is_hit; }
 };
 
@@ -109,22 +107,47 @@ static inline Leaf leaf_at(const float* leaves, std::uint32_t item) {
             ((item & ~kLeafBit) >> 28) + 1};
 }
 
-// Lanes of `maybe` in double. True when the sink has seen enough.
+// Hands the lanes that are met to the sink, in their order.
 template <class Sink>
-static inline bool test_lanes(const Leaf& leaf, std::uint32_t maybe, InstanceRay& local, Sink& sink) {
-    for (; maybe != 0; maybe &= maybe - 1) {
-        const auto lane = std::uint32_t(__builtin_ctz(maybe));
-        Candidate candidate;
-        const bool is_met = decide(leaf.rows, leaf.count, lane, local.ray, candidate);
-        __builtin_memcpy(&candidate.primitive, leaf.rows + 9 * leaf.count + lane,
-                         sizeof(candidate.primitive));
-        const bool is_within = (sink.t_min <= candidate.t) & (candidate.t <= sink.t_limit);
-        if (!(is_met & is_within & (candidate.primitive != local.skip))) continue;
-        candidate.instance = local.instance;
-        if (sink.take(candidate)) return true;
-        local.box.s_max = s_limit(local.box, sink.t_limit);
+static inline void take_lanes(const Leaf& leaf, const Meetings& m, std::uint32_t met, InstanceRay& local,
+                              Sink& sink) {
+    alignas(64) double weight1[kWidth], weight2[kWidth], weight_sum[kWidth];
+    alignas(32) float t[kWidth];
+    store(t, m.t);
+    store_where(weight1, m.weight1, met);
+    store_where(weight2, m.weight2, met);
+    store_where(weight_sum, m.weight_sum, met);
+    for (; met != 0; met &= met - 1) {
+        const int lane = __builtin_ctz(met);
+        if (!(t[lane] <= sink.t_limit)) continue;
+        std::uint32_t primitive;
+        __builtin_memcpy(&primitive, leaf.rows + 9 * leaf.count + std::uint32_t(lane), sizeof(primitive));
+        sink.take({t[lane], local.instance, primitive, weight1[lane], weight2[lane], weight_sum[lane]});
     }
-    return false;
+    local.box.s_max = s_limit(local.box, sink.t_limit);
+}
+
+// Those of a leaf's triangles that the filter let through. True when the sink has seen enough.
+template <class Sink>
+static inline bool test_lanes(const Leaf& leaf, const Corners& corners, std::uint32_t maybe,
+                              InstanceRay& local, Sink& sink) {
+    Meetings m;
+    decide(corners, splat(local.ray.dz), maybe, m);
+    const std::uint32_t met = m.met & less_equal_bits(splat(sink.t_min), m.t) &
+                              less_equal_bits(m.t, splat(sink.t_limit)) &
+                              ~equal_bits(words_at(leaf.rows + 9 * leaf.count), splat(local.skip));
+    if (met == 0) return false;
+    if constexpr (Sink::kIsAny) {
+        sink.is_hit = true;
+    } else {
+        take_lanes(leaf, m, met, local, sink);
+    }
+    return Sink::kIsAny;
+}
+
+// Lanes that may be met.
+static inline std::uint32_t filter(const Leaf& leaf, const Corners& corners) {
+    return maybe_bits(corners) & ((1u << leaf.count) - 1);
 }
 
 static inline void push(Stack& stack, int& top, std::uint32_t item, float near) {
@@ -133,7 +156,7 @@ static inline void push(Stack& stack, int& top, std::uint32_t item, float near) 
 }
 
 // The nearest child that is met; the others go onto the stack, the next nearest on top.
-static inline std::uint32_t order_children(const WideNode* nodes, const float* leaves, const WideNode& node,
+static inline std::uint32_t order_children(const Places& places, const WideNode& node,
                                            const float near[kWidth], std::uint32_t met, Stack& stack,
                                            int& top) {
     const int first = __builtin_ctz(met);
@@ -152,7 +175,7 @@ static inline std::uint32_t order_children(const WideNode* nodes, const float* l
         const float farther_at = swap ? nearest_at : at;
         nearest = swap ? item : nearest;
         nearest_at = swap ? at : nearest_at;
-        prefetch<3>(nodes, leaves, farther);
+        prefetch<3>(places, farther);
         int i = top++;
         for (; i > base && stack.near[i - 1] < farther_at; --i) {
             stack.item[i] = stack.item[i - 1];
@@ -165,27 +188,26 @@ static inline std::uint32_t order_children(const WideNode* nodes, const float* l
 }
 
 // The child likeliest to end an any-hit walk, which is the highest lane (collapse.cpp); the others go onto the stack.
-static inline std::uint32_t likeliest_child(const WideNode* nodes, const float* leaves, const WideNode& node,
-                                            const Entrances& e, std::uint32_t met, Stack& stack, int& top) {
+static inline std::uint32_t likeliest_child(const Places& places, const WideNode& node, const Entrances& e,
+                                            std::uint32_t met, Stack& stack, int& top) {
     const std::uint32_t first = 31u - std::uint32_t(__builtin_clz(met));
     const std::uint32_t others = met & ~(1u << first);
     store(stack.item + top, compress(load(node.child), others));
     store(stack.near + top, compress(e.enter, others));
     top += __builtin_popcount(others);
-    prefetch<4>(nodes, leaves, stack.item[top - 1]);
+    prefetch<4>(places, stack.item[top - 1]);
     return node.child[first];
 }
 
 // What comes after a node of which the children `met` are met.
 template <class Sink>
-static inline std::uint32_t next_item(const WideNode* nodes, const float* leaves, const WideNode& node,
-                                      const Entrances& e, std::uint32_t met, float s_max, Stack& stack,
-                                      int& top) {
+static inline std::uint32_t next_item(const Places& places, const WideNode& node, const Entrances& e,
+                                      std::uint32_t met, float s_max, Stack& stack, int& top) {
     if (met == 0) return pop(stack, top, s_max);
-    if constexpr (!Sink::kNearestFirst) return likeliest_child(nodes, leaves, node, e, met, stack, top);
+    if constexpr (Sink::kIsAny) return likeliest_child(places, node, e, met, stack, top);
     alignas(32) float near[kWidth];
     store(near, e.enter);
-    return order_children(nodes, leaves, node, near, met, stack, top);
+    return order_children(places, node, near, met, stack, top);
 }
 
 template <class Sink>
@@ -200,12 +222,15 @@ static bool walk_tree(InstanceRay& local, Sink& sink, Counts& counts) {
             ++counts.nodes;
             const Entrances e = enter_boxes(node, local.box);
             const std::uint32_t met = less_equal_bits(e.enter, e.leave);
-            item = next_item<Sink>(local.nodes, local.leaves, node, e, met, local.box.s_max, stack, top);
+            item = next_item<Sink>(places_of_blas(local.nodes, local.leaves), node, e, met, local.box.s_max,
+                                   stack, top);
         }
         if (item == kEmptyTree) return false;
         ++counts.leaves;
         const Leaf leaf = leaf_at(local.leaves, item);
-        if (test_lanes(leaf, filter(leaf.rows, leaf.count, local.ray), local, sink)) return true;
+        const Corners corners = corners_of(leaf.rows, leaf.count, local.ray);
+        const std::uint32_t maybe = filter(leaf, corners);
+        if (maybe != 0 && test_lanes(leaf, corners, maybe, local, sink)) return true;
         item = pop(stack, top, local.box.s_max);
     }
 }
@@ -216,6 +241,15 @@ static bool walk_instance(const SceneView& scene, std::uint32_t id, const RayIn&
     InstanceRay local;
     return enter_instance(scene, id, world, sink.t_min, sink.t_limit, local) &&
            walk_tree(local, sink, counts);
+}
+
+// What comes after a node of the top-level tree.
+template <class Sink>
+static inline std::uint32_t open_top(const SceneView& scene, const WideNode& node, std::uint32_t layers,
+                                     const BoxRay& box, Stack& stack, int& top) {
+    const Entrances e = enter_boxes(node, box);
+    const std::uint32_t met = less_equal_bits(e.enter, e.leave) & common_bits(load(node.layers), layers);
+    return next_item<Sink>(places_of_scene(scene), node, e, met, box.s_max, stack, top);
 }
 
 // A ray's walk over the top-level tree: the instances it may meet, the nearest boxes first.
@@ -231,22 +265,16 @@ struct TopWalk {
     }
 
     // kEmptyTree when there is none left, which is the last that may be asked for.
+    template <class Sink>
     std::uint32_t next(const SceneView& scene, std::uint32_t layers, float t_limit, Counts& counts) {
         box.s_max = s_limit(box, t_limit);
-        top = trim(stack, top, box.s_max);
-        for (;;) {
-            std::uint32_t item = stack.item[--top];
-            while (!(item & kLeafBit)) {
-                const WideNode& node = scene.nodes[item];
-                ++counts.nodes;
-                const Entrances e = enter_boxes(node, box);
-                const std::uint32_t visible = common_bits(load(node.layers), layers);
-                item = next_below<true>(node, e, less_equal_bits(e.enter, e.leave) & visible, stack, top);
-            }
-            if (item == kEmptyTree) return kEmptyTree;
-            const std::uint32_t id = item & ~kLeafBit;
-            if ((scene.instances[id].layers & layers) != 0) return id;
+        std::uint32_t item = pop(stack, top, box.s_max);
+        while (!(item & kLeafBit)) {
+            const WideNode& node = scene.nodes[item];
+            ++counts.nodes;
+            item = open_top<Sink>(scene, node, layers, box, stack, top);
         }
+        return item == kEmptyTree ? kEmptyTree : item & ~kLeafBit;
     }
 };
 
@@ -269,10 +297,7 @@ static bool walk_top(const SceneView& scene, const RayIn& world, std::uint32_t l
         while (!(item & kLeafBit)) {
             const WideNode& node = scene.nodes[item];
             ++counts.nodes;
-            const Entrances e = enter_boxes(node, box);
-            const std::uint32_t met =
-                less_equal_bits(e.enter, e.leave) & common_bits(load(node.layers), layers);
-            item = next_item<Sink>(scene.nodes, nullptr, node, e, met, box.s_max, stack, top);
+            item = open_top<Sink>(scene, node, layers, box, stack, top);
         }
         if (item == kEmptyTree) return false;
         const std::uint32_t id = item & ~kLeafBit;

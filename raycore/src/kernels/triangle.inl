@@ -1,4 +1,4 @@
-// kernels/triangle.inl - one ray against up to eight triangles.
+// kernels/triangle.inl - triangles as a ray sees them: one ray and up to eight triangles, or one triangle and eight rays.
 //
 // The decision. Every corner is sheared by one formula into the frame where the ray runs along z through (0, 0);
 // triangles that share a corner see the same numbers. The ray meets a triangle when (0, 0) lies in the closed hull of
@@ -17,52 +17,58 @@ struct Candidate {
     double weight1, weight2, weight_sum;  // barycentrics u = weight1 / weight_sum, v = weight2 / weight_sum
 };
 
-// Lanes that may be met; the others are outside for certain.
-static inline std::uint32_t filter(const float* rows, std::uint32_t count, const LocalRay& ray) {
-    Float x[3], y[3];
+// Sheared corners, z still to be scaled. A lane is a triangle or a ray.
+struct Corners {
+    Float x[3], y[3], z[3];
+};
+
+// Lanes that may be met; the others are outside for certain. Products that overflow are NaN, and such a lane is judged
+// by its other edges or by decide().
+static inline std::uint32_t maybe_bits(const Corners& c) {
+    const Float u = c.x[2] * c.y[1] - c.y[2] * c.x[1];
+    const Float v = c.x[0] * c.y[2] - c.y[0] * c.x[2];
+    const Float w = c.x[1] * c.y[0] - c.y[1] * c.x[0];
+    return ~opposite_bits(min(u, min(v, w)), max(u, max(v, w)));
+}
+
+struct Meetings {
+    std::uint32_t met;
+    Float t;
+    Double weight1, weight2, weight_sum;
+};
+
+// Which of the lanes `asked` are met, and where; `dz` is the rays' displacement along z for one t. An edge-on triangle
+// is not met: its neighbours are.
+static inline void decide(const Corners& c, Float dz, std::uint32_t asked, Meetings& m) {
+    const Double x0 = widen(c.x[0]), x1 = widen(c.x[1]), x2 = widen(c.x[2]);
+    const Double y0 = widen(c.y[0]), y1 = widen(c.y[1]), y2 = widen(c.y[2]);
+    const Double w0 = x2 * y1 - y2 * x1;
+    const Double w1 = x0 * y2 - y0 * x2;
+    const Double w2 = x1 * y0 - y1 * x0;
+    const std::uint32_t front = not_negative_bits(w0) & not_negative_bits(w1) & not_negative_bits(w2);
+    const std::uint32_t back = not_positive_bits(w0) & not_positive_bits(w1) & not_positive_bits(w2);
+    const Double sum = (w0 + w1) + w2;
+    m.met = asked & (front | back) & ~(not_negative_bits(sum) & not_positive_bits(sum));
+    m.t = narrow(((w0 * widen(c.z[0]) + w1 * widen(c.z[1])) + w2 * widen(c.z[2])) / (sum * widen(dz)));
+    m.weight1 = w1;
+    m.weight2 = w2;
+    m.weight_sum = sum;
+}
+
+// A leaf's triangles for one ray; lanes beyond `count` mean nothing.
+static inline Corners corners_of(const float* rows, std::uint32_t count, const LocalRay& ray) {
+    Corners c;
     const Float ox = splat(ray.at_kx), oy = splat(ray.at_ky), oz = splat(ray.at_kz);
     const Float sx = splat(ray.shear_x), sy = splat(ray.shear_y);
     const std::uint32_t to_x = std::uint32_t(ray.kx) * count, to_y = std::uint32_t(ray.ky) * count,
                         to_z = std::uint32_t(ray.kz) * count;
     for (std::uint32_t i = 0; i < 3; ++i) {
         const float* corner = rows + 3 * i * count;
-        const Float z = load(corner + to_z) - oz;
-        x[i] = (load(corner + to_x) - ox) - sx * z;
-        y[i] = (load(corner + to_y) - oy) - sy * z;
+        c.z[i] = load(corner + to_z) - oz;
+        c.x[i] = (load(corner + to_x) - ox) - sx * c.z[i];
+        c.y[i] = (load(corner + to_y) - oy) - sy * c.z[i];
     }
-    const Float u = x[2] * y[1] - y[2] * x[1];
-    const Float v = x[0] * y[2] - y[0] * x[2];
-    const Float w = x[1] * y[0] - y[1] * x[0];
-    // A lane whose products overflow is NaN there, and judged by the others or by decide().
-    const std::uint32_t outside = opposite_bits(min(u, min(v, w)), max(u, max(v, w)));
-    return ~outside & ((1u << count) - 1);
-}
-
-// Whether the lane is met at all, and where: the same shear again, then in double. An edge-on triangle is not met: its
-// neighbours are.
-static inline bool decide(const float* rows, std::uint32_t count, std::uint32_t lane, const LocalRay& ray,
-                          Candidate& c) {
-    const float *at_x = rows + std::uint32_t(ray.kx) * count + lane,
-                *at_y = rows + std::uint32_t(ray.ky) * count + lane,
-                *at_z = rows + std::uint32_t(ray.kz) * count + lane;
-    double x[3], y[3], z[3];
-    for (std::uint32_t i = 0; i < 3; ++i) {
-        const float z_of = at_z[3 * i * count] - ray.at_kz;
-        x[i] = double((at_x[3 * i * count] - ray.at_kx) - ray.shear_x * z_of);
-        y[i] = double((at_y[3 * i * count] - ray.at_ky) - ray.shear_y * z_of);
-        z[i] = double(z_of);
-    }
-    const double w0 = x[2] * y[1] - y[2] * x[1];
-    const double w1 = x[0] * y[2] - y[0] * x[2];
-    const double w2 = x[1] * y[0] - y[1] * x[0];
-    const bool front = (w0 >= 0) & (w1 >= 0) & (w2 >= 0);
-    const bool back = (w0 <= 0) & (w1 <= 0) & (w2 <= 0);
-    const double sum = (w0 + w1) + w2;
-    c.t = float(((w0 * z[0] + w1 * z[1]) + w2 * z[2]) / (sum * double(ray.dz)));  // NaN when the sum is zero
-    c.weight1 = w1;
-    c.weight2 = w2;
-    c.weight_sum = sum;
-    return (front | back) & (sum != 0);
+    return c;
 }
 
 }  // namespace
