@@ -4,6 +4,7 @@
 #include "data.h"
 #include "dispatch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -22,6 +23,9 @@ const kernel::RayIn* abi(const Ray* rays) {
 }
 kernel::HitOut* abi(Hit* hits) {
     return reinterpret_cast<kernel::HitOut*>(hits);
+}
+const kernel::HitOut* abi(const Hit* hits) {
+    return reinterpret_cast<const kernel::HitOut*>(hits);
 }
 
 #ifdef RC_CONTRACTS
@@ -68,12 +72,28 @@ bool any_hit(const Scene& scene, const Ray& ray, LayerMask layers) {
     return is_hit != 0;
 }
 
-std::size_t crossings(const Scene& scene, const glm::vec3& from, const glm::vec3& to, LayerMask layers,
-                      std::span<Hit> out) {
+namespace {
+
+std::size_t ask_crossings(const Scene& scene, const glm::vec3& from, const glm::vec3& to, LayerMask layers,
+                          const Hit* after, std::span<Hit> out) {
     const Ray ray = ray_between(from, to);
     expect_good(ray);
-    return active_kernels().crossings(scene.data().view, *abi(&ray), layers, abi(out.data()),
-                                      static_cast<std::uint32_t>(out.size()));
+    constexpr std::size_t kMost = 0xFFFFFFFFu;
+    return active_kernels().crossings(scene.data().view, *abi(&ray), layers, abi(after), abi(out.data()),
+                                      static_cast<std::uint32_t>(std::min(out.size(), kMost)));
+}
+
+}  // namespace
+
+std::size_t crossings(const Scene& scene, const glm::vec3& from, const glm::vec3& to, LayerMask layers,
+                      std::span<Hit> out) {
+    return ask_crossings(scene, from, to, layers, nullptr, out);
+}
+
+std::size_t crossings_after(const Scene& scene, const glm::vec3& from, const glm::vec3& to, LayerMask layers,
+                            const Hit& last, std::span<Hit> out) {
+    if (last.is_miss()) return 0;
+    return ask_crossings(scene, from, to, layers, &last, out);
 }
 
 void closest_hits(const Scene& scene, std::span<const Ray> rays, LayerMask layers, std::span<Hit> hits,

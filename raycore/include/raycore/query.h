@@ -8,15 +8,15 @@
 //           violation in dev builds, a miss in release. A query never fails.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-
 #include "raycore/bodies.h"
 #include "raycore/counters.h"
 #include "raycore/ray.h"
 #include "raycore/scene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
 
 namespace rc {
 
@@ -30,6 +30,12 @@ namespace rc {
 // many were written. Sound asks this: each wall crossed takes its share.
 [[nodiscard]] std::size_t crossings(const Scene& scene, const glm::vec3& from, const glm::vec3& to,
                                     LayerMask layers, std::span<Hit> out);
+
+// The surfaces that follow `last`, a hit of the same two points: call again with the last hit written, until fewer than
+// out.size() are written, and every surface has come exactly once, also where many lie at one t. A miss is followed by
+// nothing. Cost: a walk of its own, from where `last` lies.
+[[nodiscard]] std::size_t crossings_after(const Scene& scene, const glm::vec3& from, const glm::vec3& to,
+                                          LayerMask layers, const Hit& last, std::span<Hit> out);
 
 // Batches: item i is answered exactly as the single query would. Spans of equal length; misses have
 // t == kInfinity. `counters`, when given, is added to.

@@ -84,8 +84,9 @@ struct Kernels {
                     Counts* counts);
     void (*any)(const SceneView&, const RayIn* rays, std::uint64_t n, std::uint32_t layers,
                 std::uint8_t* is_hit, Counts* counts);
-    std::uint32_t (*crossings)(const SceneView&, const RayIn& ray, std::uint32_t layers, HitOut* out,
-                               std::uint32_t capacity);
+    // Only what follows `after`, unless that is null.
+    std::uint32_t (*crossings)(const SceneView&, const RayIn& ray, std::uint32_t layers, const HitOut* after,
+                               HitOut* out, std::uint32_t capacity);
 };
 
 extern const Kernels kScalarKernels;

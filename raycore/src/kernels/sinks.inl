@@ -7,10 +7,12 @@ static inline HitOut to_hit(const Candidate& c) {
     return {c.t, float(c.weight1 / c.weight_sum), float(c.weight2 / c.weight_sum), c.primitive, c.instance};
 }
 
-// Keeps the nearest `capacity` in order. A primitive met twice (its pieces in two leaves) counts once.
+// Keeps, of those that follow `after`, the nearest `capacity` in order. A primitive met twice (its pieces in two leaves)
+// counts once.
 struct CrossingsSink {
     static constexpr bool kIsAny = false;
     float t_min, t_limit;
+    const HitOut* after;  // null: all
     HitOut* out;
     std::uint32_t capacity;
     std::uint32_t count = 0;
@@ -22,6 +24,7 @@ struct CrossingsSink {
 
     void take(const Candidate& c) {
         const HitOut hit = to_hit(c);
+        if (after != nullptr && !precedes(*after, hit)) return;
         std::uint32_t at = count;
         while (at > 0 && precedes(hit, out[at - 1])) --at;
         const bool known = at > 0 && !precedes(out[at - 1], hit);
@@ -73,10 +76,11 @@ static void any(const SceneView& scene, const RayIn* rays, std::uint64_t n, std:
     ask<AnySink, AnyLanes, AnyAnswers>(scene, rays, n, layers, {is_hit}, counts);
 }
 
-static std::uint32_t crossings(const SceneView& scene, const RayIn& ray, std::uint32_t layers, HitOut* out,
-                               std::uint32_t capacity) {
+static std::uint32_t crossings(const SceneView& scene, const RayIn& ray, std::uint32_t layers,
+                               const HitOut* after, HitOut* out, std::uint32_t capacity) {
     Counts sum;
-    CrossingsSink sink{finite_start(ray.t_min), finite_limit(ray.t_max), out, capacity};
+    const float t_min = after != nullptr ? larger(ray.t_min, after->t) : ray.t_min;
+    CrossingsSink sink{finite_start(t_min), finite_limit(ray.t_max), after, out, capacity};
     if (is_good(ray) && capacity > 0) walk_scene(scene, ray, layers, sink, sum);
     return sink.count;
 }
