@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernels/kernel_abi.h"
+#include "leaf_triangles.h"
 #include "unfilled.h"
 
 #include "raycore/blas.h"
@@ -30,7 +31,7 @@ struct Blas::Data {
     Unfilled<kernel::WideNode> nodes;     // a parent stands before its children
     Unfilled<float> leaves;               // triangle blocks, then kLeafPadding words
     std::uint32_t root = kernel::kEmptyTree;
-    Unfilled<glm::uvec3> triangles;  // lane by lane of all leaves, for refits; empty when there will be none
+    LeafTriangles triangles;  // for refits; empty when there will be none
     std::vector<std::uint32_t> leaf_of_primitive;  // the leaf that holds it, kNone when dropped
     std::size_t vertex_count = 0;
     bool can_refit = true;

@@ -33,7 +33,7 @@ void fill_leaf(Blas::Data& blas, std::span<const std::uint32_t> items, const Mes
             const glm::vec3& corner = mesh.positions[triangle[c]];
             for (std::uint32_t a = 0; a < 3; ++a) block[(3 * c + a) * leaf.count + lane] = corner[a];
         }
-        if (blas.can_refit) blas.triangles[leaf.first + lane] = triangle;
+        if (blas.can_refit) blas.triangles.set(leaf.first + lane, triangle);
         block[9 * leaf.count + lane] = std::bit_cast<float>(primitive);
         note_leaf(blas.leaf_of_primitive[primitive], code);
     }
@@ -43,7 +43,7 @@ void fill_leaf(Blas::Data& blas, std::span<const std::uint32_t> items, const Mes
 
 void fill_leaves(Blas::Data& blas, std::span<const std::uint32_t> items, const MeshView& mesh) {
     blas.leaves.resize(items.size() * kernel::kWordsPerTriangle + kernel::kLeafPadding);
-    if (blas.can_refit) blas.triangles.resize(items.size());
+    if (blas.can_refit) blas.triangles.resize(items.size(), mesh.triangles);
     std::fill(blas.leaves.end() - kernel::kLeafPadding, blas.leaves.end(), 0.0f);
     if (blas.root == kernel::kEmptyTree) return;
     if (blas.root & kernel::kLeafBit) return fill_leaf(blas, items, mesh, blas.root);

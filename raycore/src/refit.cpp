@@ -63,9 +63,11 @@ class Fitting {
 
     Box fit_leaf(std::uint32_t code) const {
         const LeafRange leaf = leaf_range(code);
+        std::uint32_t triangles[3 * kernel::kWidth];
+        blas_.triangles.get(leaf.first, leaf.count, triangles);
         GrowingBox box;
         kernels_.fit_block(blas_.leaves.data() + std::size_t{leaf.first} * kernel::kWordsPerTriangle,
-                           leaf.count, &blas_.triangles[leaf.first].x, positions_, box);
+                           leaf.count, triangles, positions_, box);
         return box_of(box);
     }
 

@@ -38,7 +38,7 @@ TEST_P(BlasFile, ALoadedTreeIsTheSavedOneInEveryByte) {
         const rc::Blas::Data &a = saved->data(), &b = loaded.blas->data();
         EXPECT_TRUE(same(a.nodes, b.nodes));
         EXPECT_TRUE(same(a.leaves, b.leaves));
-        EXPECT_TRUE(same(a.triangles, b.triangles));
+        EXPECT_TRUE(a.triangles == b.triangles);
         EXPECT_TRUE(same(a.leaf_of_primitive, b.leaf_of_primitive));
         EXPECT_EQ(a.root, b.root);
         EXPECT_EQ(a.cost, b.cost);

@@ -50,6 +50,29 @@ TEST(Refit, AnswersAsARebuildInEveryBit) {
     EXPECT_FLOAT_EQ(blas->refit_degradation(), 1.0f);  // back where it was built
 }
 
+// Trees keep how far a triangle's corners are from each other in the vertex array; here that is as far as they can keep
+// in the short form, and one and two farther.
+TEST(Refit, CornersFarApartInTheVertexArrayAnswerAsAny) {
+    Random random(8);
+    const Mesh soup = test::make_soup(random, 300, 1.5f, 0.8f);
+    for (const std::uint32_t apart : {65534u, 65535u, 65536u, 65537u, 100'000u}) {
+        Mesh spread;
+        spread.positions.resize(2 * apart + 300);
+        for (std::uint32_t i = 0; i < 300; ++i) {
+            spread.triangles.emplace_back(apart + i, i, 2 * apart + i);
+            for (std::uint32_t c = 0; c < 3; ++c)
+                spread.positions[spread.triangles[i][c]] = soup.positions[soup.triangles[i][c]];
+        }
+        const auto blas = rc::build_blas(spread.view());
+        const Mesh moved = bent(spread, 0.4f);
+        ASSERT_TRUE(rc::refit_blas(*blas, moved.positions));
+        int met = 0;
+        EXPECT_EQ(differing_answers(*scene_of(blas), *scene_of(rc::build_blas(moved.view())), 3, &met), 0)
+            << apart << " apart";
+        EXPECT_GT(met, 200);
+    }
+}
+
 TEST(Refit, DegradationTellsWhenToRebuild) {
     Random random(2);
     Mesh soup = test::make_soup(random, 2000, 2.0f, 0.1f);
