@@ -274,6 +274,22 @@ class Packet {
     InstancePacket<Lanes> inner_;
 };
 
+// The axis a ray runs along most, and which way.
+static inline int heading(const RayIn& ray) {
+    const float x = absolute(ray.direction[0]), y = absolute(ray.direction[1]),
+                z = absolute(ray.direction[2]);
+    const int of_two = x > y ? 0 : 1;
+    const int axis = larger(x, y) > z ? of_two : 2;
+    return 2 * axis + (ray.direction[axis] < 0.0f ? 1 : 0);
+}
+
+// A glance at four rays tells most crowds from bundles before all are laid side by side.
+static inline bool may_run_together(const RayIn* rays, std::uint64_t n) {
+    const int first = heading(rays[0]);
+    return heading(rays[n / 3]) == first && heading(rays[2 * n / 3]) == first &&
+           heading(rays[n - 1]) == first;
+}
+
 // A batch in packets where its rays run together, and in streams where they do not.
 template <class Lanes, class Answers>
 static void ask_packets(const SceneView& scene, const RayIn* rays, std::uint64_t n, std::uint32_t layers,
@@ -282,6 +298,7 @@ static void ask_packets(const SceneView& scene, const RayIn* rays, std::uint64_t
     for (std::uint64_t first = 0; first < n; first += kPacketRays) {
         const std::uint64_t left = n - first, size = left < kPacketRays ? left : kPacketRays;
         if (size < kLeastPacket) break;
+        if (!may_run_together(rays + first, size)) continue;
         Packet<Lanes, Answers> packet(scene, rays, layers, counts);
         if (!packet.ask(first, int(size), answers)) continue;
         ask_stream<typename Lanes::Alone>(scene, rays, waiting, first, layers, answers, counts);
