@@ -1,18 +1,12 @@
 #include "binned_builder.h"
 
-#include "kernels/kernel_abi.h"
-#include "node_pool.h"
-#include "range_cutter.h"
-
-#include <tbb/task_group.h>
+#include "top_down_builder.h"
 
 namespace rc {
 
 namespace {
 
-using build::Range;
-
-constexpr std::size_t kParallelSubtree = 4096;  // below it a task costs more than it gains
+using build::Plot;
 
 class Builder {
   public:
@@ -20,36 +14,23 @@ class Builder {
         : refs_(refs), cutter_(refs, costs), pool_(refs.size()), items_(refs.size()) {}
 
     BinaryTree run() {
-        build(cutter_.whole(refs_.size()), 0, 0, nullptr);
+        const auto cut = [this](const Plot& plot, int depth, Plot& left, Plot& right) {
+            return cut_or_settle(plot, depth, left, right);
+        };
+        build::Growth(pool_, cut).grow({cutter_.whole(refs_.size()), refs_.size()});
         return pool_.release(std::move(items_));
     }
 
   private:
-    void build(const Range& range, std::uint32_t at, int depth, build::PairSupply* supply) {
-        const std::size_t n = range.size();
-        BinaryNode& node = pool_[at];
-        build::set_box(node, range.boxes);
-        node.first = static_cast<std::uint32_t>(range.begin);
-        node.count = static_cast<std::uint32_t>(n);
-        Range left, right;
-        if (n == 1 || !cutter_.cut(range, depth, left, right)) {
-            for (std::size_t i = range.begin; i < range.end; ++i) items_[i] = refs_[i].item;
-            return;
+    bool cut_or_settle(const Plot& plot, int depth, Plot& left, Plot& right) {
+        const build::Range& range = plot.range;
+        if (range.size() > 1 && cutter_.cut(range, depth, left.range, right.range)) {
+            left.limit = left.range.end;
+            right.limit = right.range.end;
+            return true;
         }
-        node.count |= BinaryNode::kInner;
-        if (supply != nullptr || n < kParallelSubtree) {
-            build::PairSupply own(pool_, n);
-            build::PairSupply& pairs = supply != nullptr ? *supply : own;
-            node.first = pairs.take();
-            build(left, node.first, depth + 1, &pairs);
-            build(right, node.first + 1, depth + 1, &pairs);
-            return;
-        }
-        node.first = pool_.take_pairs(1);
-        tbb::task_group group;
-        group.run([&] { build(left, node.first, depth + 1, nullptr); });
-        build(right, node.first + 1, depth + 1, nullptr);
-        group.wait();
+        for (std::size_t i = range.begin; i < range.end; ++i) items_[i] = refs_[i].item;
+        return false;
     }
 
     std::span<BuildRef> refs_;

@@ -35,7 +35,8 @@ class RangeCutter {
     // The best way to part `range` at `depth`; false when it had better be a leaf.
     bool cut(const Range& range, int depth, Range& left, Range& right);
 
-    // Its steps, for builders that know more ways. Whether parting `range` at this cost (half areas times counts) beats making it a leaf; always, when it can be none.
+    // Its steps, for builders that know more ways. Whether parting `range` at this cost (half areas times counts) beats
+    // making it a leaf; always, when it can be none.
     [[nodiscard]] bool pays(const Range& range, float split_cost) const;
 
     // The best border between bins of centres; axis -1 when all centres are one.

@@ -2,12 +2,10 @@
 
 #include "clip.h"
 #include "dispatch.h"
-#include "node_pool.h"
-#include "range_cutter.h"
+#include "top_down_builder.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
-#include <tbb/task_group.h>
 
 #include <algorithm>
 
@@ -15,12 +13,12 @@ namespace rc {
 
 namespace {
 
+using build::Plot;
 using build::Range;
 using kernel::SlabBins;
 using kernel::SlabGrid;
 using kernel::Split;
 
-constexpr std::size_t kParallelSubtree = 4096;
 constexpr std::size_t kParallelRange = 65536;
 constexpr std::size_t kBlock = 16384;
 // Planes are tried where the best halves' boxes overlap by more than these shares of the root's surface and of their
@@ -28,12 +26,6 @@ constexpr std::size_t kBlock = 16384;
 constexpr float kOverlapOfRoot = 1e-4f;
 constexpr float kOverlapOfRange = 0.2f;
 constexpr std::int32_t kSlabs = 8;  // 16 take a tenth longer and lead to no better trees
-
-// Refs, and the room behind them that pieces may take: [end, limit).
-struct Plot {
-    Range range;
-    std::size_t limit;
-};
 
 float overlap(const GrowingBox& a, const GrowingBox& b) {
     GrowingBox both;
@@ -82,7 +74,12 @@ class SpatialBuilder {
     BinaryTree run() {
         const Range whole = cutter_.whole(count_);
         root_area_ = build::half_area(whole.boxes);
-        build({whole, refs_.size()}, 0, 0, nullptr);
+        const auto cut = [this](const Plot& plot, int depth, Plot& left, Plot& right) {
+            if (plot.range.size() == 1 || !cut_range(plot, depth, left.range, right.range)) return false;
+            deal_out(plot, left, right);
+            return true;
+        };
+        build::Growth(pool_, cut).grow({whole, refs_.size()});
         Unfilled<std::uint32_t> items;
         items.reserve(count_ + count_ / 8);
         gather(0, items);
@@ -95,35 +92,8 @@ class SpatialBuilder {
         return refs_;
     }
 
-    void build(const Plot& plot, std::uint32_t at, int depth, build::PairSupply* supply) {
-        const std::size_t n = plot.range.size();
-        BinaryNode& node = pool_[at];
-        build::set_box(node, plot.range.boxes);
-        node.first = static_cast<std::uint32_t>(plot.range.begin);
-        node.count = static_cast<std::uint32_t>(n);
-        Range left, right;
-        if (n == 1 || !cut(plot, depth, left, right)) return;
-
-        const auto [left_plot, right_plot] = deal_out(plot, left, right);
-        node.count |= BinaryNode::kInner;
-        const std::size_t room = plot.limit - plot.range.begin;
-        if (supply != nullptr || n < kParallelSubtree) {
-            build::PairSupply own(pool_, room);
-            build::PairSupply& pairs = supply != nullptr ? *supply : own;
-            node.first = pairs.take();
-            build(left_plot, node.first, depth + 1, &pairs);
-            build(right_plot, node.first + 1, depth + 1, &pairs);
-            return;
-        }
-        node.first = pool_.take_pairs(1);
-        tbb::task_group group;
-        group.run([&, plot_of_left = left_plot] { build(plot_of_left, node.first, depth + 1, nullptr); });
-        build(right_plot, node.first + 1, depth + 1, nullptr);
-        group.wait();
-    }
-
     // False when the range had better be a leaf.
-    bool cut(const Plot& plot, int depth, Range& left, Range& right) {
+    bool cut_range(const Plot& plot, int depth, Range& left, Range& right) {
         const Range& range = plot.range;
         if (range.size() <= kernel::kFewRefs && build::RangeCutter::leaves_depth_for_few(depth))
             return cutter_.cut_few(range, left, right);
@@ -250,17 +220,18 @@ class SpatialBuilder {
     }
 
     // The room left over goes to both parts by their sizes; the right one moves behind the left one's.
-    std::pair<Plot, Plot> deal_out(const Plot& plot, const Range& left, Range& right) {
-        const std::size_t room = plot.limit - right.end;
-        const std::size_t shift = room * left.size() / (left.size() + right.size());
+    void deal_out(const Plot& plot, Plot& left, Plot& right) {
+        const std::size_t room = plot.limit - right.range.end, lefts = left.range.size();
+        const std::size_t shift = room * lefts / (lefts + right.range.size());
         if (shift > 0) {
-            std::move_backward(refs_.begin() + static_cast<std::ptrdiff_t>(right.begin),
-                               refs_.begin() + static_cast<std::ptrdiff_t>(right.end),
-                               refs_.begin() + static_cast<std::ptrdiff_t>(right.end + shift));
-            right.begin += shift;
-            right.end += shift;
+            std::move_backward(refs_.begin() + static_cast<std::ptrdiff_t>(right.range.begin),
+                               refs_.begin() + static_cast<std::ptrdiff_t>(right.range.end),
+                               refs_.begin() + static_cast<std::ptrdiff_t>(right.range.end + shift));
+            right.range.begin += shift;
+            right.range.end += shift;
         }
-        return {{left, right.begin}, {right, plot.limit}};
+        left.limit = right.range.begin;
+        right.limit = plot.limit;
     }
 
     // Leaf by leaf; leaves then name ranges of `items`.
