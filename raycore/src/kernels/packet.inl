@@ -13,6 +13,7 @@ inline constexpr int kLeastInInstance = 8;  // of those, rays that meet an insta
 struct ClosestLanes {
     using Alone = ClosestSink;
     double weight1[kPacketRays], weight2[kPacketRays], weight_sum[kPacketRays];
+    float u[kPacketRays], v[kPacketRays];
     std::uint32_t primitive[kPacketRays];
 
     // A tie at `limits` is taken by the lower id alone: kNobody lets every tie win, 0 none.
@@ -29,9 +30,14 @@ struct ClosestLanes {
         store_where(weight_sum + at, m.weight_sum, taken);
         return taken;
     }
+    // What give() needs of a group, eight divisions at a time.
+    void settle(int at) {
+        store(u + at, narrow(load(weight1 + at) / load(weight_sum + at)));
+        store(v + at, narrow(load(weight2 + at) / load(weight_sum + at)));
+    }
     void give(int lane, float t, std::uint32_t instance, ClosestSink& sink) const {
         sink.t_limit = t;
-        sink.best = {t, instance, primitive[lane], weight1[lane], weight2[lane], weight_sum[lane]};
+        sink.best = {t, u[lane], v[lane], primitive[lane], instance};
     }
 };
 
@@ -43,6 +49,7 @@ struct AnyLanes {
         store_where(limits + at, splat(-__builtin_inff()), m.met);  // has seen enough
         return m.met;
     }
+    void settle(int) {}
     void give(int, float, std::uint32_t, AnySink& sink) const {
         sink.is_hit = true;
         sink.t_limit = -__builtin_inff();
@@ -255,6 +262,8 @@ class Packet {
     void walk_inside(const InstanceView& instance, std::uint32_t id) {
         counts_.instances += std::uint64_t(inner_.rays.n);
         inner_.walk(instance.blas, counts_);
+        for (int group = 0; group < inner_.rays.groups; ++group)
+            if ((inner_.taken >> (kWidth * group) & 0xFF) != 0) inner_.found.settle(kWidth * group);
         for (std::uint64_t left = inner_.taken; left != 0; left &= left - 1) {
             const int lane = __builtin_ctzll(left), i = inner_.ray_of[lane];
             inner_.found.give(lane, inner_.rays.t_max[lane], id, sinks_[i]);

@@ -3,10 +3,6 @@
 namespace rc::kernel::RC_ISA {
 namespace {
 
-static inline HitOut to_hit(const Candidate& c) {
-    return {c.t, float(c.weight1 / c.weight_sum), float(c.weight2 / c.weight_sum), c.primitive, c.instance};
-}
-
 // Keeps, of those that follow `after`, the nearest `capacity` in order. A primitive met twice (its pieces in two leaves)
 // counts once.
 struct CrossingsSink {
@@ -40,7 +36,7 @@ struct HitAnswers {
     HitOut* hits;
     void write(std::uint64_t i, const ClosestSink& sink) const {
         const bool miss = sink.best.primitive == kNobody;
-        hits[i] = miss ? HitOut{__builtin_inff(), 0.0f, 0.0f, kNobody, kNobody} : to_hit(sink.best);
+        hits[i] = miss ? HitOut{__builtin_inff(), 0.0f, 0.0f, kNobody, kNobody} : sink.best;
     }
 };
 struct AnyAnswers {

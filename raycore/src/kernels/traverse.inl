@@ -12,7 +12,7 @@ inline constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
 struct ClosestSink {
     static constexpr bool kIsAny = false;  // the nearest children come first, and every candidate counts
     float t_min, t_limit;
-    Candidate best;
+    HitOut best;
 
     void begin(const RayIn& ray) {
         t_min = finite_start(ray.t_min);
@@ -23,7 +23,7 @@ struct ClosestSink {
         const bool lower =
             c.instance < best.instance || (c.instance == best.instance && c.primitive < best.primitive);
         if (c.t < t_limit || lower) {
-            best = c;
+            best = to_hit(c);
             t_limit = c.t;
         }
     }

@@ -17,6 +17,10 @@ struct Candidate {
     double weight1, weight2, weight_sum;  // barycentrics u = weight1 / weight_sum, v = weight2 / weight_sum
 };
 
+static inline HitOut to_hit(const Candidate& c) {
+    return {c.t, float(c.weight1 / c.weight_sum), float(c.weight2 / c.weight_sum), c.primitive, c.instance};
+}
+
 // Sheared corners, z still to be scaled. A lane is a triangle or a ray.
 struct Corners {
     Float x[3], y[3], z[3];
