@@ -137,6 +137,8 @@ std::string prompt_of(const world::Level& level, const world::Snapshot& now) {
         }
         case sim::UseKind::Lens:
             return "E   take: " + std::string(named(level.lenses[target.index].title, "the lens"));
+        case sim::UseKind::HandMirror:
+            return "E   take: " + std::string(named(level.mirrors[target.index].title, "the hand mirror"));
         case sim::UseKind::Stone:
             return "E   pick up the stone";
     }
@@ -190,6 +192,8 @@ std::string caption_of(const world::Noise& noise) {
             return "";
         case world::NoiseKind::Throw:
             return "";
+        case world::NoiseKind::PickUp:
+            return "";
         case world::NoiseKind::StoneHit:
             return "stone clatters on " + surface;
         case world::NoiseKind::DoorOpen:
@@ -224,6 +228,10 @@ void HudReader::note_tick(const world::Level& level, const world::Snapshot& now)
         captions_.add(
             {.text = words, .bearing = bearing_to(state.player, noise.position), .has_bearing = true});
     }
+    if (state.player.has_mirror != 0 && !had_mirror_) {
+        captions_.add({.text = "hold F: the hand mirror, with Q or R: round a corner"});
+    }
+    had_mirror_ = state.player.has_mirror != 0;
     const std::string room = title_of_room(level, state.player.position);
     if (room != room_ && !room.empty()) {
         room_ = room;
@@ -244,6 +252,7 @@ present::HudModel HudReader::model(const world::Level& level, const world::Snaps
     hud.is_crouched = player.stance == world::Stance::Crouch;
     hud.is_running = !hud.is_crouched && glm::length(player.velocity) > 3.0f;
     hud.stones_left = player.stones_left;
+    hud.has_mirror = player.has_mirror != 0;
     hud.lenses_total = static_cast<int>(level.lenses.size());
     hud.lenses_taken = state.rules.lenses_taken_count;
     hud.room = room_;

@@ -27,6 +27,7 @@ class HudReader {
 
   private:
     present::Captions captions_;
+    bool had_mirror_ = false;
     std::string room_;
     float room_age_ = 0.0f;
 };

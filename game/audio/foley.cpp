@@ -43,6 +43,7 @@ std::optional<Sound> spoken(world::Bark bark) {
 
 std::optional<Sound> family_of(const world::Noise& noise, bool is_lid) {
     const auto surface = static_cast<world::Surface>(noise.surface);
+    const bool is_iron = surface == world::Surface::Metal;
     switch (noise.kind) {
         case world::NoiseKind::Footstep:
             return on_ground(Sound::StepMarble, ground_of(surface));
@@ -55,13 +56,15 @@ std::optional<Sound> family_of(const world::Noise& noise, bool is_lid) {
         case world::NoiseKind::Throw:
             return Sound::Throw;
         case world::NoiseKind::DoorOpen:
-            return is_lid ? Sound::VitrineOpen : Sound::DoorOpen;
+            return is_lid ? Sound::VitrineOpen : is_iron ? Sound::GateOpen : Sound::DoorOpen;
         case world::NoiseKind::DoorClose:
-            return is_lid ? Sound::VitrineClose : Sound::DoorClose;
+            return is_lid ? Sound::VitrineClose : is_iron ? Sound::GateClose : Sound::DoorClose;
         case world::NoiseKind::Switch:
             return Sound::Switch;
         case world::NoiseKind::MirrorTurn:
             return Sound::MirrorTurn;
+        case world::NoiseKind::PickUp:
+            return Sound::PickUp;
         case world::NoiseKind::LensTaken:
             return Sound::LensTaken;
         case world::NoiseKind::Bark:

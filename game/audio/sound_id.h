@@ -32,11 +32,14 @@ enum class Sound : std::uint8_t {
     Throw,
     DoorOpen,
     DoorClose,
+    GateOpen,  // of iron
+    GateClose,
     VitrineOpen,
     VitrineClose,
     Switch,
     MirrorTurn,
     LensTaken,
+    PickUp,
     VoiceHm,       // something caught his eye or ear
     VoiceWho,      // calls into the dark
     VoiceAlarm,    // has seen the player
@@ -48,7 +51,7 @@ enum class Sound : std::uint8_t {
     StingCaught,
     StingWon,
 };
-inline constexpr std::size_t kSoundCount = 34;
+inline constexpr std::size_t kSoundCount = 37;
 
 struct SoundTraits {
     std::string_view name;      // of its files, without number and ending

@@ -26,7 +26,7 @@ enum Button : std::uint16_t {
     Use = 1u << 5,         // doors, switches, turnable mirrors, picking up
     Throw = 1u << 6,       // held: aim; let go: throw
     Cancel = 1u << 7,      // puts an aimed stone back
-    HandMirror = 1u << 8,  // holds the hand mirror up
+    HandMirror = 1u << 8,  // holds the hand mirror up; leaning then moves the arm
     Restart = 1u << 9,     // back to the last checkpoint
 };
 inline constexpr std::uint16_t kAllButtons = (1u << 10) - 1;

@@ -25,7 +25,7 @@ constexpr std::array kKeys = {
     Binding{GLFW_KEY_LEFT_SHIFT, Run}, Binding{GLFW_KEY_LEFT_CONTROL, Crouch},
     Binding{GLFW_KEY_C, Crouch},       Binding{GLFW_KEY_SPACE, Jump},
     Binding{GLFW_KEY_Q, LeanLeft},     Binding{GLFW_KEY_R, LeanRight},
-    Binding{GLFW_KEY_E, Use},          Binding{GLFW_KEY_F, Use},
+    Binding{GLFW_KEY_E, Use},          Binding{GLFW_KEY_F, HandMirror},
     Binding{GLFW_KEY_G, Throw},        Binding{GLFW_KEY_BACKSPACE, Restart},
 };
 
@@ -78,6 +78,7 @@ void Devices::read_gamepad(Command& command) {
     if (right != 0.0f) command.move_right = quantise_move(right);
     if (back != 0.0f) command.move_forward = quantise_move(-back);
     if (pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER] > 0.0f) command.buttons |= Throw;
+    if (pad.axes[GLFW_GAMEPAD_AXIS_LEFT_TRIGGER] > 0.0f) command.buttons |= HandMirror;
     for (const Binding& binding : kPadButtons) {
         if (pad.buttons[binding.key] == GLFW_PRESS) command.buttons |= binding.button;
     }

@@ -5,6 +5,7 @@
 #include "load/gltf_extras.h"
 #include "load/level_build.h"
 #include "load/part_geometry.h"
+#include "world/layers.h"
 #include "world/state.h"
 
 #include <fmt/format.h>
@@ -68,6 +69,10 @@ Result<void> add_mirror(LevelBuild& build, std::uint32_t id) {
     const Result<float> step_deg = number_or(extras, "turn_step_deg", 0.0f);
     if (!step_deg) return step_deg.error();
     if (!(std::abs(*step_deg) <= 360.0f)) return Error{"turn_step_deg must lie within -360 and 360"};
+    const Result<bool> is_carried = flag_or(extras, "carry", false);
+    if (!is_carried) return is_carried.error();
+    if (*is_carried && *step_deg != 0.0f) return Error{"is a mirror both to carry and to turn"};
+    if (*is_carried && build.level.hand_mirror != world::kNoIndex) return too_many("mirror to carry", 1);
 
     const Pose pose = pose_of(build.tree.world_from_node[id]);
     world::Mirror mirror;
@@ -76,6 +81,7 @@ Result<void> add_mirror(LevelBuild& build, std::uint32_t id) {
     mirror.pivot = glm::vec3(pose.position);
     mirror.world_from_rest = glm::quat(pose.rotation);
     mirror.turn_step = *step_deg * kRadiansPerDegree;
+    if (*is_carried) build.level.hand_mirror = static_cast<std::uint32_t>(build.level.mirrors.size());
     build.facts[id].mover = world::Mover::Mirror;
     build.facts[id].mover_index = static_cast<std::uint32_t>(build.level.mirrors.size());
     build.level.mirrors.push_back(std::move(mirror));
@@ -136,6 +142,15 @@ bool is_mirror_material(const world::Material& material) {
     return material.metallic >= 0.999f && material.roughness <= 0.05f && material.transmission == 0.0f;
 }
 
+// What is carried is seen and lit; nobody runs into it, and no wall of sound is made of it.
+void make_weightless(LevelBuild& build, std::uint32_t index) {
+    if (index != build.level.hand_mirror) return;
+    for (world::Part& part : build.level.parts) {
+        if (part.mover != world::Mover::Mirror || part.mover_index != index) continue;
+        part.layers &= ~rc::LayerMask{world::Sound | world::Solid};
+    }
+}
+
 // The pane is the largest flat face that mirrors.
 Result<void> finish_mirror(LevelBuild& build, std::uint32_t index) {
     world::Mirror& mirror = build.level.mirrors[index];
@@ -156,6 +171,7 @@ Result<void> finish_mirror(LevelBuild& build, std::uint32_t index) {
         mirror.reflectance = glm::vec3(materials[mirroring.materials[face->triangle]].base_color);
         mirror.pane_part = i;
     }
+    make_weightless(build, index);
     if (largest > 0.0f) return {};
     return Error{"is a mirror without a mirror material (metallic 1, roughness at most 0.05)"};
 }

@@ -77,6 +77,10 @@ void draw_stance(const Canvas& canvas, const HudModel& model) {
         canvas.at(canvas.size.x * 0.5f + 112.0f * canvas.unit, canvas.size.y - 56.0f * canvas.unit);
     text(canvas, text_font(), 15.0f, right, faded(kIvory, model.stones_left > 0 ? 0.75f : 0.35f), stones,
          0.0f);
+    if (model.has_mirror) {
+        const ImVec2 under = canvas.at(canvas.size.x * 0.5f + 112.0f * canvas.unit, canvas.size.y - 36.0f * canvas.unit);
+        text(canvas, text_font(), 15.0f, under, faded(kIvory, 0.75f), "F  hand mirror", 0.0f);
+    }
     if (model.lenses_total == 0) return;
     char lenses[64];
     std::snprintf(lenses, sizeof lenses, "lenses %d / %d", model.lenses_taken, model.lenses_total);

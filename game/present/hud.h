@@ -36,6 +36,7 @@ struct HudModel {
     bool is_crouched = false;
     bool is_running = false;
     int stones_left = 0;
+    bool has_mirror = false;
     int lenses_taken = 0;
     int lenses_total = 0;
     float aim = 0.0f;                  // how far the throw is drawn, 0: not aiming

@@ -22,6 +22,7 @@ constexpr std::array kControls = {
     Control{"Q / R", "lean left / right"},
     Control{"Space", "jump"},
     Control{"E", "doors, switches, mirrors, lenses"},
+    Control{"F", "hold up the hand mirror; Q / R: round a corner"},
     Control{"Left mouse or G", "hold to aim a stone, let go to throw"},
     Control{"Right mouse", "put the stone back"},
     Control{"Backspace", "back to the checkpoint"},

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/contracts.h"
+#include "sim/hand_mirror.h"
 #include "sim/geometry.h"
 #include "sim/noises.h"
 #include "world/eye.h"
@@ -62,8 +63,9 @@ void change_height(const rc::Scene& scene, PlayerState& player) {
 // As far as the wish goes and walls allow.
 void change_lean(const rc::Scene& scene, const input::Command& command, PlayerState& player) {
     float wish = 0.0f;
-    if (command.is_held(Button::LeanLeft)) wish -= 1.0f;
-    if (command.is_held(Button::LeanRight)) wish += 1.0f;
+    const bool leans = !steers_mirror(command, player);
+    if (leans && command.is_held(Button::LeanLeft)) wish -= 1.0f;
+    if (leans && command.is_held(Button::LeanRight)) wish += 1.0f;
     player.lean = towards(player.lean, wish, kLeanRate);
     if (player.lean == 0.0f) return;
     PlayerState upright = player;
@@ -157,6 +159,7 @@ void decide_player(const world::Snapshot& before, const input::Command& command,
     player.stance = is_low ? world::Stance::Crouch : world::Stance::Stand;
     change_height(*before.scene, player);
     change_lean(*before.scene, command, player);
+    move_hand_mirror(before, command, player);
 }
 
 void move_player(const world::Level& level, const world::Snapshot& before, const DoorBodies& doors,

@@ -28,9 +28,24 @@ void take_lens(const world::Level& level, std::uint32_t index, world::State& sta
                            .surface = static_cast<std::uint8_t>(world::Surface::Glass)});
 }
 
+constexpr float kPickUpDb = 24.0f;
+
+void note_pick_up(const world::PlayerState& player, world::Surface surface, world::State& state) {
+    emit_by_player(state, {.position = player.position + glm::vec3(0.0f, 0.5f * player.height, 0.0f),
+                           .loudness_db = kPickUpDb,
+                           .kind = world::NoiseKind::PickUp,
+                           .surface = static_cast<std::uint8_t>(surface)});
+}
+
+void take_mirror(world::State& state) {
+    state.player.has_mirror = 1;
+    note_pick_up(state.player, world::Surface::Metal, state);
+}
+
 void pick_up_stone(std::uint32_t index, world::State& state) {
     state.stones[index] = {};
     state.player.stones_left += 1;
+    note_pick_up(state.player, world::Surface::Marble, state);
 }
 
 }  // namespace
@@ -44,6 +59,7 @@ void use(const world::Level& level, const UseTarget& target, world::State& state
         case UseKind::Mirror: return turn_mirror(level, state, target.index);
         case UseKind::Switch: return toggle_lamps(level, target.index, state);
         case UseKind::Lens: return take_lens(level, target.index, state);
+        case UseKind::HandMirror: return take_mirror(state);
         case UseKind::Stone: return pick_up_stone(target.index, state);
     }
 }

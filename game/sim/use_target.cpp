@@ -73,6 +73,10 @@ UseTarget small_thing(const world::Level& level, const world::Snapshot& snapshot
     for (std::uint32_t i = 0; i < level.switches.size(); ++i) {
         consider(UseKind::Switch, world::Mover::None, i, level.switches[i].position, kUseReach);
     }
+    if (level.hand_mirror != world::kNoIndex && state.player.has_mirror == 0) {
+        const world::MirrorPane& pane = snapshot.panes[level.hand_mirror];
+        consider(UseKind::HandMirror, world::Mover::Mirror, level.hand_mirror, pane.centre, kTakeReach);
+    }
     for (std::uint32_t i = 0; i < world::kMaxStones; ++i) {
         const world::StoneState& stone = state.stones[i];
         if (stone.is_present == 0 || stone.is_resting == 0) continue;

@@ -16,7 +16,7 @@ namespace gh::sim {
 inline constexpr float kUseReach = 1.8f;   // metres from the eye
 inline constexpr float kTakeReach = 1.6f;  // for lenses and stones
 
-enum class UseKind : std::uint8_t { Nothing, Door, Mirror, Switch, Lens, Stone };
+enum class UseKind : std::uint8_t { Nothing, Door, Mirror, Switch, Lens, Stone, HandMirror };
 
 struct UseTarget {
     UseKind kind = UseKind::Nothing;
@@ -24,7 +24,7 @@ struct UseTarget {
     glm::vec3 point{0.0f};     // world: where a prompt goes
 };
 
-// The door or turnable mirror aimed at, or the small thing (switch, lens, stone at rest) nearest to the line of
+// The door or turnable mirror aimed at, or the small thing (switch, lens, hand mirror, stone at rest) nearest to the line of
 // sight with nothing solid before it: glass keeps hands off.
 [[nodiscard]] UseTarget use_target(const world::Level& level, const world::Snapshot& snapshot,
                                    const world::PlayerState& player);

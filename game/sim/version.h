@@ -6,6 +6,6 @@
 
 namespace gh::sim {
 
-inline constexpr std::uint32_t kSimulationVersion = 3;
+inline constexpr std::uint32_t kSimulationVersion = 4;
 
 }  // namespace gh::sim

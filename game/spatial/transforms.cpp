@@ -2,6 +2,7 @@
 
 #include "base/contracts.h"
 #include "base/det_math.h"
+#include "spatial/hand_mirror.h"
 
 #include <cmath>
 
@@ -74,6 +75,9 @@ glm::mat4x3 world_from_door(const world::Level& level, const world::State& state
 
 glm::mat4x3 world_from_mirror(const world::Level& level, const world::State& state, std::size_t mirror) {
     EXPECTS(mirror < level.mirrors.size());
+    if (mirror == level.hand_mirror && is_mirror_held(state.player)) {
+        return world_from_held_mirror(level, state.player);
+    }
     const world::Mirror& rest = level.mirrors[mirror];
     const glm::quat turned =
         after(rest.world_from_rest, rotation_about(rest.axis, state.mirrors[mirror].angle));
@@ -114,6 +118,9 @@ rc::LayerMask layers_of_part(const world::Level& level, const world::State& stat
     EXPECTS(part < level.parts.size());
     const world::Part& p = level.parts[part];
     if (p.mover == world::Mover::Stone && state.stones[p.mover_index].is_present == 0) return 0;
+    const bool is_in_a_pocket = p.mover == world::Mover::Mirror && p.mover_index == level.hand_mirror &&
+                                state.player.has_mirror != 0 && !is_mirror_held(state.player);
+    if (is_in_a_pocket) return 0;
     if (p.mover == world::Mover::Lens && state.lens_taken[p.mover_index] != 0) return 0;
     return p.layers;
 }

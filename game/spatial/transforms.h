@@ -40,7 +40,8 @@ namespace gh::spatial {
 [[nodiscard]] glm::mat4x3 world_from_part(const world::Level& level, const world::State& state,
                                           std::size_t part);
 
-// Who meets the part now: nobody meets a stone that is not there, or a lens that is taken.
+// Who meets the part now: nobody meets a stone that is not there, a lens that is taken, or a
+// mirror in a pocket.
 [[nodiscard]] rc::LayerMask layers_of_part(const world::Level& level, const world::State& state,
                                            std::size_t part);
 

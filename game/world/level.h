@@ -137,7 +137,8 @@ struct Door {
     glm::vec3 handle{0.0f};  // world, closed: where a hand (and a prompt) goes
 };
 
-// A flat pane that guards see in. Fixed when turn_step == 0.
+// A flat pane that guards see in. Fixed when turn_step == 0, unless it is the hand mirror: that one lies at its rest
+// pose until it is picked up, and is held upright with its own +y up (spatial/hand_mirror.h).
 struct Mirror {
     std::string name, title;
     glm::vec3 pivot{0.0f};
@@ -259,6 +260,7 @@ struct Level {
     std::vector<std::string> lamp_groups;
     std::vector<Door> doors;
     std::vector<Mirror> mirrors;
+    std::uint32_t hand_mirror = kNoIndex;  // of `mirrors`: the one that can be picked up, if there is one
     std::vector<Switch> switches;
     std::vector<Lens> lenses;
     std::vector<Room> rooms;

@@ -30,14 +30,19 @@ struct PlayerState {
     float stride = 0.0f;       // metres since the last footstep
     float exposure = 0.0f;     // 0 dark .. 1 fully lit; the HUD's gem and the guards' number
     float noise_db = 0.0f;     // of the loudest thing just done, fading; for the HUD
+    float mirror_raise = 0.0f;  // of the hand mirror: 0 put away .. 1 held up
+    float mirror_side = 0.0f;   // -1 held out to the left, to look round that corner; 0 shows what is behind; 1 right
+    float mirror_reach = 1.0f;  // share of the arm that walls leave it
     Stance stance = Stance::Stand;
     std::uint8_t is_grounded = 0;
     std::uint8_t ground_surface = 0;  // world::Surface
     std::uint8_t stones_left = 0;
     std::uint16_t buttons_before = 0;  // so that edges can be told from held keys
     std::uint16_t aim_ticks = 0;       // how long the throw is held
+    std::uint8_t has_mirror = 0;
+    std::uint8_t pad_[3] = {};
 };
-static_assert(sizeof(PlayerState) == 56);
+static_assert(sizeof(PlayerState) == 72);
 
 struct DoorState {
     float angle = 0.0f;  // radians from closed, towards open_angle
@@ -115,7 +120,7 @@ struct GuardState {
 static_assert(sizeof(GuardState) == 544);
 
 enum class NoiseKind : std::uint8_t {
-    Footstep, Land, StoneHit, DoorOpen, DoorClose, Switch, MirrorTurn, LensTaken, Bark, GuardStep, Throw,
+    Footstep, Land, StoneHit, DoorOpen, DoorClose, Switch, MirrorTurn, LensTaken, Bark, GuardStep, Throw, PickUp,
 };
 enum class Bark : std::uint8_t { None, Huh, WhoIsThere, Alarm, GaveUp, Caught };
 

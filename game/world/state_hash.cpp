@@ -21,12 +21,16 @@ void add(Hasher& hasher, const PlayerState& player) {
     hasher.add(player.stride);
     hasher.add(player.exposure);
     hasher.add(player.noise_db);
+    hasher.add(player.mirror_raise);
+    hasher.add(player.mirror_side);
+    hasher.add(player.mirror_reach);
     hasher.add(number(player.stance));
     hasher.add(player.is_grounded);
     hasher.add(player.ground_surface);
     hasher.add(player.stones_left);
     hasher.add(player.buttons_before);
     hasher.add(player.aim_ticks);
+    hasher.add(player.has_mirror);
 }
 
 void add(Hasher& hasher, const RulesState& rules) {

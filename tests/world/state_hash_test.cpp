@@ -45,8 +45,9 @@ TEST(StateHash, EveryByteThatMeansSomethingChangesTheTotalAndExactlyOnePart) {
         in_two_parts += parts > 1;
         EXPECT_EQ(parts == 0, after.total == before.total) << "byte " << i;
     }
-    const std::size_t named_padding = kMaxDoors * sizeof(DoorState::pad_) + sizeof(RulesState::pad_) +
-                                      kMaxStones * sizeof(StoneState::pad_) + kMaxGuards * sizeof(Percept::pad_);
+    const std::size_t named_padding = sizeof(PlayerState::pad_) + kMaxDoors * sizeof(DoorState::pad_) +
+                                      sizeof(RulesState::pad_) + kMaxStones * sizeof(StoneState::pad_) +
+                                      kMaxGuards * sizeof(Percept::pad_);
     EXPECT_EQ(unseen, named_padding) << "a member of State is not hashed";
     EXPECT_EQ(in_two_parts, 0u);
 }

@@ -6,6 +6,7 @@ import furniture as f
 import instruments
 import lamps
 import meshkit
+import mirrors
 import mouldings
 import plan
 import scene
@@ -128,6 +129,7 @@ def cloakroom():
         (-13.84, -7.9, 0.17, 0.13, "coat"), (-13.83, -8.45, 0.14, 0.17, "dark_cloth"), (-13.85, -9.7, 0.19, 0.12, "velvet_blue"), (-12.7, -10.85, 0.16, 0.16, "coat"))]))
     scene.mesh("cloak_counter", f.counter(2.2), (-10.3, -9.6, 0), 90)
     scene.mesh("cloak_ledger", joined([meshkit.block(-0.20, -0.28, 0.0, 0.20, 0.0, 0.05, "leather", 0.0), meshkit.block(-0.19, -0.27, 0.05, 0.19, -0.01, 0.056, "paper", 0.0)]), (-10.2, -9.0, 1.06), 80)
+    mirrors.hand_mirror((-10.42, -9.42, 1.073), 60)
     scene.mesh("cloak_bench", f.bench(1.4), (-9.5, -10.65, 0), 0)
     scene.mesh("ticket_board", things.ticket_board(), (-9.6, -11.0, 1.2), 180)
     scene.mesh("umbrella_stand", things.umbrella_stand(), (-8.75, -7.2, 0))

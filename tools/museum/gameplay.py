@@ -14,7 +14,7 @@ ROUND = [
     ("patrol_hall_east", 6.2, 13.0, 0.8, 20, 0.5, False), ("patrol_hall_north", 0.0, 17.2, 0.8, 180, 2.0, True),
     ("patrol_hall_west", -6.6, 15.2, 0.8, 90, 0.2, False), ("patrol_west_north", -10.7, 15.2, 0.8, 180, 1.0, False),
     ("patrol_west_middle", -10.7, 4.6, 0.0, 180, 0.2, False), ("patrol_west_south", -10.7, -1.5, 0.0, -90, 1.0, True),
-    ("patrol_foyer_west", -6.2, -1.5, 0.0, -90, 0.2, False), ("patrol_foyer_south", -2.4, -9.4, 0.0, 0, 1.5, True),
+    ("patrol_foyer_west", -6.2, -1.5, 0.0, -90, 0.2, False), ("patrol_foyer_south", -2.6, -7.7, 0.0, 0, 1.5, True),
 ]
 
 # name: (from, to, horizontal field of view in degrees)

@@ -53,19 +53,23 @@ def pendant(name, at, ceiling, group, pool=2.5, reach=3.0, on=True):
     light.bulb(name, (at[0], at[1], at[2] + 0.06), pool, reach, group, on=on)
 
 
+# metres from the wall to the bulb: a wall is brighter by the square of its nearness, and burns out at half of this
+SCONCE_ARM = 0.28
+
+
 def sconce(name, at, turn, group, pool=1.2, reach=2.5, on=True):
     """On a wall that faces -y when turned by 0: a scrolled arm and a shade open downwards and a little upwards."""
     def make():
-        arm = [(0, -0.02, 0.0), (0, -0.06, -0.06), (0, -0.13, -0.08), (0, -0.19, -0.03), (0, -0.20, 0.05), (0, -0.20, 0.10)]
+        arm = [(0, -0.02, 0.0), (0, -0.08, -0.06), (0, -0.19, -0.085), (0, -0.27, -0.03), (0, -SCONCE_ARM, 0.05), (0, -SCONCE_ARM, 0.10)]
         metal = joined([lathe([(0.0, 0.0), (0.06, 0.0), (0.055, 0.015), (0.03, 0.03), (0.0, 0.035)], "brass", 12).scaled(1, 1.6, 1).turned(90, "x"),
                         tube(arm, 0.012, "brass", 6)])
         cone, inside = _shade(0.045, 0.12, 0.15)
-        metal.add(cone.moved(0, -0.20, -0.02))
-        return metal, inside.moved(0, -0.20, -0.02)
+        metal.add(cone.moved(0, -SCONCE_ARM, -0.02))
+        return metal, inside.moved(0, -SCONCE_ARM, -0.02)
 
     _place("sconce", make, name, at, turn, group, on)
     a = math.radians(turn)
-    light.bulb(name, (at[0] + 0.20 * math.sin(a), at[1] - 0.20 * math.cos(a), at[2] + 0.03), pool, reach, group, 0.03, on=on)
+    light.bulb(name, (at[0] + SCONCE_ARM * math.sin(a), at[1] - SCONCE_ARM * math.cos(a), at[2] + 0.03), pool, reach, group, 0.03, on=on)
 
 
 def table_lamp(name, at, turn, group, pool=2.0, reach=1.0, on=True):

@@ -24,6 +24,17 @@ def _crest(width):
                    ball(0.06, "gilt", 10, 6).scaled(1.4, 0.4, 0.8).moved(-0.15, -0.02, 0.08), ball(0.06, "gilt", 10, 6).scaled(1.4, 0.4, 0.8).moved(0.15, -0.02, 0.08)])
 
 
+def hand_mirror(at, turn):
+    """One to carry: modelled upright, its pane facing -y, and laid on its back at `at`, its top towards `turn`."""
+    width, height = 0.20, 0.22
+    body = framed(width, height, "mirror", scale=0.16, frame="brass")
+    body.add(block(-width / 2 - 0.016, 0.0, -height / 2 - 0.016, width / 2 + 0.016, 0.010, height / 2 + 0.016, "oak_dark", 0.003),
+             lathe([(0.0, -0.27), (0.012, -0.266), (0.015, -0.25), (0.009, -0.235), (0.012, -0.19), (0.014, -0.15), (0.010, -0.118), (0.0, -0.105)], "oak_dark", 14).moved(0, 0.004, 0),
+             ball(0.012, "brass", 10, 6).moved(0, 0.0, height / 2 + 0.03))
+    node = scene.mesh("hand_mirror", body, at, kind="mirror", carry=True, title="Hand mirror")
+    node.rotation_euler = (math.radians(-90.0), 0.0, math.radians(turn))
+
+
 def hang():
     floor = plan.HIGH
     wall = joined([framed(1.7, 2.9, "mirror"), _crest(1.7).moved(0, 0, 1.57)])

@@ -50,6 +50,46 @@ def door_close(name):
                         (.327, click(rng, 1100, 6800, .05) * .35), (.352, click(rng, 1800, 7500, .03) * .14)), -13)
 
 
+def iron(rng, low, high, count, t60):
+    """A riveted sheet: many plate modes, close together and slow to die, some of them loose against each other."""
+    return modes(t60 * 1.3, plate(rng, low, high, count, t60, t60 * .22, -4))
+
+
+def gate_open(name):
+    """A bolt drawn through its staple, then a sheet of iron that shivers on dry pins."""
+    rng = random_of(name)
+    duration = 1.7
+    sheet = iron(rng, 92, 3600, 30, 1.1)
+    draw = band_noise(rng, .17, 1400, 6800, -3) * keyed([0, .04, .14, .17], [0, 1, .8, 0], .17)
+    knock = convolved(sheet, pulse(.0011))
+    rate = keyed([0, .25, .6, .95], [31, 52, 44, 22], .95) * rng.uniform(.92, 1.1)
+    pins = stick_slip(rng, .95, rate, .16, iron(rng, 310, 4200, 14, .16)) * keyed([0, .1, .35, .6, .95], [0, .9, .45, .8, 0], .95)
+    shiver = convolved(sheet, band_noise(rng, .5, 60, 420, -4) * keyed([0, .1, .5], [0, 1, 0], .5))
+    return settled(laid(duration, (.0, draw * .22), (.15, click(rng, 700, 5200, .07, .0006) * .6),
+                        (.15, knock / np.abs(knock).max() * .50), (.22, pins * .36),
+                        (.24, shiver / np.abs(shiver).max() * .16)), -14)
+
+
+def gate_close(name):
+    """Iron on iron: the sheet booms, its rivets chatter, the bolt drops."""
+    rng = random_of(name)
+    duration = 1.9
+    boom = convolved(iron(rng, 74, 2600, 34, 1.5), pulse(.0024))
+    frame = convolved(modes(.5, [(119, .34, 1.0), (188, .27, .8), (333, .18, .5), (571, .12, .3)]), pulse(.003))
+    chatter = laid(.3, *[(t, click(rng, 900, 6200, .05, .0005) * g) for t, g in ((.0, .6), (.031, .34), (.055, .2), (.074, .1))])
+    pins = stick_slip(rng, .2, np.full(int(.2 * RATE), 40.0), .2, iron(rng, 310, 4200, 12, .12)) * keyed([0, .1, .2], [0, 1, 0], .2)
+    return settled(laid(duration, (.0, pins * .16), (.2, boom / np.abs(boom).max() * .8), (.2, frame / np.abs(frame).max() * .6),
+                        (.206, chatter * .42), (.40, click(rng, 600, 4600, .09, .0007) * .45)), -11)
+
+
+def pick_up(name):
+    """A small hard thing lifted off a table: a scrape, a tick, a sleeve."""
+    rng = random_of(name)
+    sleeve = band_noise(rng, .26, 700, 4200, -4) * keyed([0, .07, .16, .26], [0, 1, .4, 0], .26)
+    scrape = band_noise(rng, .08, 2200, 7800, -2) * keyed([0, .02, .08], [0, 1, 0], .08)
+    return settled(laid(.42, (.0, scrape * .20), (.05, click(rng, 1500, 7000, .03, .0004) * .5), (.08, sleeve * .30)), -25)
+
+
 def vitrine_open(name):
     """A small brass hinge and a glass lid that hums as a fingertip lifts it."""
     rng = random_of(name)
@@ -121,7 +161,7 @@ def throw(name):
 
 
 def all_things():
-    for make, count in ((door_open, 2), (door_close, 2), (vitrine_open, 1), (vitrine_close, 1), (switch, 2),
+    for make, count in ((door_open, 2), (door_close, 2), (gate_open, 2), (gate_close, 2), (pick_up, 2), (vitrine_open, 1), (vitrine_close, 1), (switch, 2),
                         (mirror_turn, 2), (lens_taken, 1), (throw, 2)):
         for i in range(1, count + 1):
             name = f"{make.__name__}_{i}"

@@ -196,6 +196,12 @@ void Actor::take(std::string_view lens) {
     use(level_->lenses[*index].centre, sim::UseKind::Lens, *index, lens);
 }
 
+void Actor::take_hand_mirror() {
+    if (level_->hand_mirror == world::kNoIndex) return fail("there is no hand mirror");
+    const glm::vec3 at = simulation_.snapshot()->panes[level_->hand_mirror].centre;
+    use(at, sim::UseKind::HandMirror, level_->hand_mirror, "the hand mirror");
+}
+
 void Actor::open(std::string_view door) {
     const auto index = named(level_->doors, door);
     if (!index) return fail(fmt::format("there is no {}", door));
@@ -233,6 +239,19 @@ void Actor::watch_guard(float seconds, Pose pose, const std::function<bool()>& e
     for (int i = 0; i < most && !trouble_; ++i) {
         if (enough && enough()) return;
         step(looking_at(guard().position + glm::vec3(0.0f, 1.4f, 0.0f)), pose);
+    }
+}
+
+void Actor::watch_guard_in_mirror(float seconds, float side, const std::function<bool()>& enough) {
+    const int most = static_cast<int>(seconds * 60.0f);
+    for (int i = 0; i < most && !trouble_; ++i) {
+        if (enough && enough()) return;
+        const glm::vec3 pane = simulation_.snapshot()->panes[level_->hand_mirror].centre;
+        const glm::vec3 to_guard = guard().position - pane;
+        // The mirror shows what lies square to the look, on its side.
+        const glm::vec3 ahead = glm::vec3(to_guard.z, 0.0f, -to_guard.x) * side;
+        const glm::vec3 gaze = ahead - glm::vec3(0.0f, 0.04f * sim::flat_length(ahead), 0.0f);
+        step(looking_along(gaze), {.is_low = true, .lean = side, .holds_mirror = true});
     }
 }
 

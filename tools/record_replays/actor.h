@@ -45,6 +45,7 @@ class Actor {
     void put_out(std::string_view lamp_switch);
     void turn(std::string_view mirror, int steps);
     void take(std::string_view lens);
+    void take_hand_mirror();
     // A door, or a lid; waits until it stands open, out of its way.
     void open(std::string_view door);
     void shut(std::string_view door);
@@ -53,6 +54,9 @@ class Actor {
     void watch(const glm::vec3& at, float seconds, Pose pose = {}, const std::function<bool()>& enough = {});
     // The same with the eyes on the guard.
     void watch_guard(float seconds, Pose pose = {}, const std::function<bool()>& enough = {});
+
+    // The same in the hand mirror, held out to a side: turned so that the guard would stand in its middle.
+    void watch_guard_in_mirror(float seconds, float side, const std::function<bool()>& enough = {});
 
     // Aims until the arc ends at the place, and lets go.
     void throw_stone(const glm::vec3& at, Pose pose = {});

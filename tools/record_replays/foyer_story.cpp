@@ -12,25 +12,22 @@ constexpr glm::vec3 floor_at(float east, float north, float height = 0.0f) {
 }
 constexpr float kHall = 0.8f;  // metres: the Hall's floor
 
-constexpr Pose kPeeping{.is_low = true, .lean = -1.0f};
-
-glm::vec3 guards_chest(const Actor& thief) {
-    return thief.guard().position + glm::vec3(0.0f, 1.3f, 0.0f);
-}
-
 // In the dark, and only when the guard has turned his back.
 void leave_the_cloakroom(Actor& thief) {
     thief.note("spawn");
+    thief.go(floor_at(-11.2f, -9.5f), Pace::Walk);
+    thief.take_hand_mirror();
+    thief.note("mirror taken");
     thief.go(floor_at(-9.3f, -7.9f), Pace::Walk);
     thief.put_out("switch_cloak");
     thief.note("lamp out");
     thief.go(floor_at(-9.7f, -8.8f), Pace::Walk);
     thief.open("door_cloakroom");
     thief.note("door open");
-    thief.go(floor_at(-8.1f, -8.8f), Pace::Creep, guards_chest(thief));
+    thief.go(floor_at(-8.7f, -8.4f), Pace::Creep, floor_at(-7.5f, -10.5f, 1.2f));
     thief.note("at the door");
-    thief.watch_guard(5.0f, kPeeping,
-                      [&] { return thief.guard().position.x > -2.1f && thief.guard().wait_ticks == 0; });
+    thief.watch_guard_in_mirror(
+        5.0f, -1.0f, [&] { return thief.guard().position.x > -1.2f && thief.guard().wait_ticks == 0; });
     thief.note("he turns away");
 }
 
@@ -54,22 +51,20 @@ void ready_the_mirror(Actor& thief) {
     thief.go(floor_at(-7.4f, 15.2f, kHall), Pace::Walk);
     thief.note("in the Hall");
     thief.go(floor_at(1.9f, 16.9f, kHall), Pace::Walk);
-    thief.turn("mirror_turn_b", 2);
+    thief.turn("mirror_turn_b", 1);
     thief.note("mirror turned");
 }
 
 void take_the_lens(Actor& thief) {
-    thief.go(floor_at(0.4f, 17.3f, kHall), Pace::Walk);
+    thief.go(floor_at(-0.4f, 17.3f, kHall), Pace::Walk);
     thief.note("at the cabinet");
-    thief.open("door_cabinet_right");
+    thief.open("door_cabinet_left");
     thief.go(floor_at(0.3f, 21.2f, kHall), Pace::Walk, floor_at(0.0f, 22.0f, 1.8f));
     thief.note("at the vitrine");
     thief.open("vitrine_lid");
     thief.note("lid open");
     thief.take("lens_of_the_hall");
     thief.note("taken");
-    thief.watch_guard(1.6f, {.is_low = true});
-    thief.note("he comes");
 }
 
 void leave_by_the_workshop(Actor& thief) {
@@ -91,7 +86,7 @@ void leave_by_the_workshop(Actor& thief) {
 void walk_out(Actor& thief) {
     thief.go(floor_at(7.2f, -1.6f), Pace::Walk);
     thief.note("in the foyer");
-    thief.go(floor_at(0.6f, -10.0f), Pace::Walk);
+    thief.go(floor_at(0.6f, -10.0f), Pace::Run);
     thief.open("door_vestibule_right");
     thief.note("vestibule open");
     thief.go(floor_at(0.2f, -14.2f), Pace::Walk);
