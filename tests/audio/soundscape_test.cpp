@@ -4,10 +4,15 @@
 #include "audio/foley.h"
 #include "audio/listening.h"
 
+#include "sense/hearing.h"
+#include "support/rest_scene.h"
+#include "support/small_level.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 namespace gh::audio {
@@ -59,6 +64,24 @@ TEST_F(SoundscapeTest, ANoiseOfOneTickRingsUntilItsSoundIsOver) {
         ASSERT_EQ(sources[0].key, key);
     }
     EXPECT_EQ(count_of(next(), Sound::Switch), 0u);
+}
+
+// Feet stand on the floor to within rounding, and the floor is marble: own steps were lost below it.
+TEST_F(SoundscapeTest, NoFloorMufflesTheStepThatFallsOnIt) {
+    gh::test::SmallLevel small;
+    small.add_box({-4.0f, -0.3f, -4.0f}, {4.0f, 0.0f, 4.0f}, small.add_material(world::Surface::Marble));
+    const auto scene = gh::test::rest_scene(small.level);
+    const glm::vec3 ear(1.0f, 1.6f, 2.0f);
+    for (const float feet : {-1e-3f, -1e-6f, 0.0f, 1e-6f}) {
+        emit(world::NoiseKind::Footstep, world::Surface::Marble);
+        state_.noises[0].position.y = feet;
+        const std::vector<Source> sources = next();
+        const auto step = std::find_if(sources.rbegin(), sources.rend(),
+                                       [](const Source& s) { return s.sound.sound == Sound::StepMarble; });
+        ASSERT_NE(step, sources.rend());
+        const sense::Transmission way = sense::hear(small.level, *scene, step->position, ear);
+        EXPECT_NEAR(sense::level_db(50.0f, way), 50.0f - 20.0f * std::log10(1.6f), 0.5f) << feet;
+    }
 }
 
 // Two stones in one tick, and steps in the next, are as many voices.
