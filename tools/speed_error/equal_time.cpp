@@ -45,6 +45,8 @@ std::vector<Finding> slopes(const std::vector<Row>& rows) {
         if (counts.size() < 3) continue;
         Finding steepness = like;
         steepness.values.emplace_back("slope", slope(rows, row.view, row.family));
+        steepness.values.emplace_back("without the worst thousandth",
+                                      slope(rows, row.view, row.family, &Row::rel_mse_trimmed));
         found.push_back(std::move(steepness));
     }
     return found;

@@ -103,7 +103,7 @@ bool is_known(const Report& report, const std::string& table, const View& view, 
 
 void judge_motion(const View& view, const Options& options, const Jobs& jobs, Report& report) {
     for (const speed_error::Contestant& contestant : speed_error::moving_contestants()) {
-        if (is_known(report, "over time", view, contestant.family)) continue;
+        if (is_known(report, "over time, of what is shown", view, contestant.family)) continue;
         keep(report.findings,
              speed_error::judge_over_time(contestant, view.studio, view.camera,
                                           {view.name, view.key, options.width, options.height}, jobs));

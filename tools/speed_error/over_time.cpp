@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace speed_error {
@@ -13,11 +14,14 @@ namespace speed_error {
 namespace {
 
 constexpr int kSettling = 16, kWatched = 8, kDark = 40;
+constexpr int kTogether = 4;  // one noisy frame alone says little
 constexpr double kGone = 0.1;
 constexpr double kNever = 99.0;
 
 struct Frames {
-    std::vector<gh::Image> lit, dark;  // the last kWatched lit ones; all kDark dark ones
+    // As a screen shows them, exposed for the lit ones: the radiance of a lamp's bulb would drown all else. The last
+    // kWatched lit ones; all kDark dark ones.
+    std::vector<gh::Image> lit, dark;
 };
 
 Frames film(const Contestant& contestant, const Studio& studio, const gh::render::Camera& camera,
@@ -25,12 +29,15 @@ Frames film(const Contestant& contestant, const Studio& studio, const gh::render
     Frames frames;
     gh::render::Film picture(settings.width, settings.height);
     const Run make = contestant.begin();
+    float exposure = 1.0f;
     const int lit = kSettling + kWatched;
     for (int frame = 0; frame < lit + (studio.has_switches() ? kDark : 0); ++frame) {
         const gh::render::SceneView view = frame < lit ? studio.lit_view() : studio.dark_view();
         make({.scene = view, .camera = camera, .frame = static_cast<std::uint32_t>(frame), .jobs = jobs},
              picture);
-        if (frame >= kSettling) (frame < lit ? frames.lit : frames.dark).push_back(picture.radiance);
+        if (frame < kSettling) continue;
+        if (frame == kSettling) exposure = gh::filter::metered_exposure(picture.radiance);
+        (frame < lit ? frames.lit : frames.dark).push_back(shown(picture.radiance, exposure, jobs));
     }
     return frames;
 }
@@ -44,14 +51,11 @@ gh::Image mean_of(const std::vector<gh::Image>& pictures, std::size_t first) {
     return mean;
 }
 
-// Of what a screen shows: the radiance of a lamp's bulb would drown all else. Mean over pixels, as a share of white.
-double deviation_of(const std::vector<gh::Image>& pictures, const gh::Jobs& jobs) {
-    const float exposure = gh::filter::metered_exposure(pictures[0]);
-    std::vector<gh::Image> seen;
-    for (const gh::Image& picture : pictures) seen.push_back(shown(picture, exposure, jobs));
-    const auto count = static_cast<double>(pictures.size());
+// Mean over pixels of what a screen shows, as a share of white.
+double deviation_of(const std::vector<gh::Image>& seen) {
+    const auto count = static_cast<double>(seen.size());
     double total = 0.0;
-    for (std::size_t i = 0; i < pictures[0].pixels.size(); ++i) {
+    for (std::size_t i = 0; i < seen[0].pixels.size(); ++i) {
         double sum = 0.0, squares = 0.0;
         for (const gh::Image& picture : seen) {
             const double value = brightness(picture.pixels[i]);
@@ -60,10 +64,10 @@ double deviation_of(const std::vector<gh::Image>& pictures, const gh::Jobs& jobs
         }
         total += std::sqrt(std::max(0.0, (squares - sum * sum / count) / (count - 1.0)));
     }
-    return total / static_cast<double>(pictures[0].pixels.size());
+    return total / static_cast<double>(seen[0].pixels.size());
 }
 
-// How much of (lit - dark) a picture still has.
+// How much of (lit - dark) a picture still has, as a screen shows them.
 double left_of(const gh::Image& picture, const gh::Image& lit, const gh::Image& dark) {
     double along = 0.0, whole = 0.0;
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
@@ -78,23 +82,27 @@ double left_of(const gh::Image& picture, const gh::Image& lit, const gh::Image& 
 
 Finding judge_over_time(const Contestant& contestant, const Studio& studio, const gh::render::Camera& camera,
                         const OverTimeSettings& settings, const gh::Jobs& jobs) {
-    Finding finding{.table = "over time",
+    Finding finding{.table = "over time, of what is shown",
                     .view = settings.view,
                     .name = contestant.family,
                     .key = settings.key,
                     .values = {}};
     const Frames frames = film(contestant, studio, camera, settings, jobs);
-    finding.values.emplace_back("deviation %", 100.0 * deviation_of(frames.lit, jobs));
+    finding.values.emplace_back("deviation %", 100.0 * deviation_of(frames.lit));
     if (frames.dark.empty()) return finding;
     const gh::Image lit = mean_of(frames.lit, 0);
     const gh::Image dark = mean_of(frames.dark, frames.dark.size() - kWatched);
+    std::vector<double> left;
+    for (const gh::Image& picture : frames.dark) left.push_back(left_of(picture, lit, dark));
     double gone = kNever;
-    for (std::size_t k = frames.dark.size(); k-- > 0;) {  // the last time it was more
-        if (left_of(frames.dark[k], lit, dark) > kGone) break;
-        gone = static_cast<double>(k + 1);
+    for (std::size_t k = left.size() - kTogether + 1; k-- > 0;) {
+        const auto first = left.begin() + static_cast<std::ptrdiff_t>(k);
+        const double mean = std::accumulate(first, first + kTogether, 0.0) / kTogether;
+        if (left[k] <= kGone && mean <= kGone)
+            gone = static_cast<double>(k + 1);  // the first such frame stays
     }
     finding.values.emplace_back("frames to 10 %", gone);
-    finding.values.emplace_back("left in the first %", 100.0 * left_of(frames.dark[0], lit, dark));
+    finding.values.emplace_back("left in the first %", 100.0 * left[0]);
     return finding;
 }
 

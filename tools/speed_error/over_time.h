@@ -17,8 +17,9 @@ struct OverTimeSettings {
 };
 
 // "deviation %": of a pixel as it is shown, of white, over eight frames of a view in which nothing moves, after sixteen.
-// "frames to 10 %": after all lamps with a switch went off, until no more than a tenth of what they gave is left: frame
-// 1 is the first picture of the dark room; 99 if that is never so. "left in the first": of the light, in per cent.
+// "frames to 10 %": after all lamps with a switch went off, until no more than a tenth of what they gave is left, in this
+// frame and in the mean of four from it: frame 1 is the first picture of the dark room; 99 if that is never so. "left in
+// the first": of what was shown, in per cent.
 // What is left is the picture's part along (lit - dark), both as this very way shows them when it has settled, so that
 // neither noise nor bias counts as lag.
 [[nodiscard]] Finding judge_over_time(const Contestant& contestant, const Studio& studio,

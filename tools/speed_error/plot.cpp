@@ -11,9 +11,9 @@ namespace speed_error {
 namespace {
 
 constexpr double kWidth = 760, kHeight = 420, kLeft = 70, kRight = 240, kTop = 15, kBottom = 45;
-constexpr std::array<const char*, 12> kColors = {"#c0392b", "#2471a3", "#1e8449", "#b7950b",
-                                                 "#7d3c98", "#ba4a00", "#117a65", "#566573",
-                                                 "#ec7063", "#5dade2", "#58d68d", "#17202a"};
+constexpr std::array<const char*, 14> kColors = {"#c0392b", "#2471a3", "#1e8449", "#b7950b", "#7d3c98",
+                                                 "#ba4a00", "#117a65", "#566573", "#ec7063", "#5dade2",
+                                                 "#58d68d", "#17202a", "#d4ac0d", "#a569bd"};
 
 struct Axis {
     double low = 1e300, high = 0.0;  // whole decades

@@ -95,12 +95,13 @@ gh::Result<Row> measure(const Contestant& contestant, const std::string& view, c
     return row;
 }
 
-double slope(const std::vector<Row>& rows, const std::string& view, const std::string& family) {
+double slope(const std::vector<Row>& rows, const std::string& view, const std::string& family,
+             double Row::*error) {
     double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
     for (const Row& row : rows) {
-        if (row.view != view || row.family != family || !(row.rel_mse > 0.0)) continue;
-        const double samples = std::log(row.samples_per_pixel), error = 0.5 * std::log(row.rel_mse);
-        n += 1.0, x += samples, y += error, xx += samples * samples, xy += samples * error;
+        if (row.view != view || row.family != family || !(row.*error > 0.0)) continue;
+        const double samples = std::log(row.samples_per_pixel), rms = 0.5 * std::log(row.*error);
+        n += 1.0, x += samples, y += rms, xx += samples * samples, xy += samples * rms;
     }
     const double spread = n * xx - x * x;
     return n >= 2.0 && spread > 0.0 ? (n * xy - x * y) / spread : 0.0;

@@ -41,7 +41,8 @@ struct Row {
                                       const std::filesystem::path& picture);
 
 // The slope of log rms error over log samples of a family's rows on one view (least squares); 0 with fewer than two.
-[[nodiscard]] double slope(const std::vector<Row>& rows, const std::string& view, const std::string& family);
+[[nodiscard]] double slope(const std::vector<Row>& rows, const std::string& view, const std::string& family,
+                           double Row::*error = &Row::rel_mse);
 
 // What a family's error (rel_mse, or trimmed) would be at this cost: between its rows, and beyond them by 1 / cost; 0
 // where it has none.
