@@ -73,12 +73,18 @@ Result<void> check_part(const world::Level& level, const world::Part& part) {
 }
 
 Result<void> check_material(const world::Level& level, const world::Material& material) {
-    for (const std::uint32_t texture : {material.base_color_texture, material.metallic_roughness_texture,
-                                        material.normal_texture, material.emission_texture}) {
+    const world::Layers& layers = material.layers;
+    for (const std::uint32_t texture :
+         {material.base_color_texture, material.metallic_roughness_texture, material.normal_texture,
+          material.emission_texture, layers.specular_texture, layers.specular_color_texture,
+          layers.coat_texture, layers.coat_roughness_texture, layers.sheen_color_texture,
+          layers.sheen_roughness_texture, layers.anisotropy_texture}) {
         if (!is_index_or_none(texture, level.textures.size())) {
             return Error{fmt::format("material '{}' has a texture that does not exist", material.name)};
         }
     }
+    if (!material.uv_transforms.empty() && material.uv_transforms.size() != world::kTextureSlots)
+        return Error{fmt::format("material '{}' turns some of its textures only", material.name)};
     return {};
 }
 

@@ -15,12 +15,13 @@ namespace gh::load {
 namespace {
 
 // What we can do without, or do. A file that requires anything else would be shown wrongly, so it is refused.
-constexpr std::array<std::string_view, 10> kKnownExtensions{
+constexpr std::array<std::string_view, 12> kKnownExtensions{
     "KHR_lights_punctual",     "KHR_materials_emissive_strength",
     "KHR_materials_ior",       "KHR_materials_transmission",
     "KHR_materials_volume",    "KHR_materials_specular",
     "KHR_texture_transform",   "KHR_mesh_quantization",
-    "KHR_materials_clearcoat", "KHR_materials_sheen"};
+    "KHR_materials_clearcoat", "KHR_materials_sheen",
+    "KHR_materials_anisotropy", "KHR_materials_unlit"};
 
 // Side files: below one folder, and together no larger than the limit.
 struct SideFiles {

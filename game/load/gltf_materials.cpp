@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
 
 namespace gh::load {
 namespace {
@@ -98,36 +101,118 @@ UvUse read_uv_use(const tinygltf::TextureInfo& info) {
     return use;
 }
 
-// All textures of a material share one set of uvs in the game: that of the first it has.
-UvUse first_uv_use(const tinygltf::Material& material) {
-    if (material.pbrMetallicRoughness.baseColorTexture.index >= 0) {
-        return read_uv_use(material.pbrMetallicRoughness.baseColorTexture);
-    }
-    if (material.pbrMetallicRoughness.metallicRoughnessTexture.index >= 0) {
-        return read_uv_use(material.pbrMetallicRoughness.metallicRoughnessTexture);
-    }
-    if (material.emissiveTexture.index >= 0) return read_uv_use(material.emissiveTexture);
-    tinygltf::TextureInfo normal;
-    normal.texCoord = material.normalTexture.texCoord;
-    normal.extensions = material.normalTexture.extensions;
-    return read_uv_use(normal);
+// A texture inside an extension; tinygltf reads only the core's.
+tinygltf::TextureInfo texture_info(const Value* object, const char* key) {
+    tinygltf::TextureInfo info;
+    const Value* texture = member(object, key);
+    if (texture == nullptr) return info;
+    info.index = static_cast<int>(std::clamp(number(texture, "index", -1.0), -1.0, 1.0e9));
+    info.texCoord = static_cast<int>(std::clamp(number(texture, "texCoord", 0.0), 0.0, 7.0));
+    const Value* extensions = member(texture, "extensions");
+    if (const Value* transform = member(extensions, "KHR_texture_transform"))
+        info.extensions.emplace("KHR_texture_transform", *transform);
+    return info;
 }
 
-Result<void> read_textures(const tinygltf::Material& from, TextureSet& textures, world::Material& to) {
-    const struct {
-        int gltf;
-        std::uint32_t* id;
-    } wanted[] = {{from.pbrMetallicRoughness.baseColorTexture.index, &to.base_color_texture},
-                  {from.pbrMetallicRoughness.metallicRoughnessTexture.index, &to.metallic_roughness_texture},
-                  {from.normalTexture.index, &to.normal_texture},
-                  {from.emissiveTexture.index, &to.emission_texture}};
-    for (const auto& [gltf, id] : wanted) {
-        const Result<std::uint32_t> texture = textures.use(gltf);
-        if (!texture) return texture.error();
-        *id = *texture;
+// All textures of a material, one a slot.
+using TextureInfos = std::array<tinygltf::TextureInfo, world::kTextureSlots>;
+
+TextureInfos texture_infos(const tinygltf::Material& from) {
+    const Value* specular = extension(from.extensions, "KHR_materials_specular");
+    const Value* coat = extension(from.extensions, "KHR_materials_clearcoat");
+    const Value* sheen = extension(from.extensions, "KHR_materials_sheen");
+    const Value* anisotropy = extension(from.extensions, "KHR_materials_anisotropy");
+    tinygltf::TextureInfo normal;
+    normal.index = from.normalTexture.index;
+    normal.texCoord = from.normalTexture.texCoord;
+    normal.extensions = from.normalTexture.extensions;
+    return {from.pbrMetallicRoughness.baseColorTexture,
+            from.pbrMetallicRoughness.metallicRoughnessTexture,
+            normal,
+            from.emissiveTexture,
+            texture_info(specular, "specularTexture"),
+            texture_info(specular, "specularColorTexture"),
+            texture_info(coat, "clearcoatTexture"),
+            texture_info(coat, "clearcoatRoughnessTexture"),
+            texture_info(sheen, "sheenColorTexture"),
+            texture_info(sheen, "sheenRoughnessTexture"),
+            texture_info(anisotropy, "anisotropyTexture")};
+}
+
+// All textures of a material share one set of uvs in the game, that of the first it has. Their transforms go into the
+// mesh if they are all the same, and are the material's otherwise.
+UvUse uv_use(const TextureInfos& infos, world::Material& material) {
+    std::vector<glm::mat3x2> transforms(infos.size(), glm::mat3x2(1.0f));
+    std::optional<UvUse> first;
+    bool agree = true;
+    for (std::size_t i = 0; i < infos.size(); ++i) {
+        if (infos[i].index < 0) continue;
+        const UvUse use = read_uv_use(infos[i]);
+        transforms[i] = use.uv_from_file;
+        if (!first) first = use;
+        agree = agree && use.uv_from_file == first->uv_from_file;
     }
-    to.normal_scale = clamped(from.normalTexture.scale, -100.0, 100.0);
+    if (!first) return {};
+    if (agree) return *first;
+    material.uv_transforms = std::move(transforms);
+    return {.uv_from_file = glm::mat3x2(1.0f), .set = first->set, .is_plain = true};
+}
+
+Result<void> read_textures(const TextureInfos& infos, TextureSet& textures, world::Material& to) {
+    world::Layers& layers = to.layers;
+    const std::array<std::uint32_t*, world::kTextureSlots> ids = {
+        &to.base_color_texture,      &to.metallic_roughness_texture,
+        &to.normal_texture,          &to.emission_texture,
+        &layers.specular_texture,    &layers.specular_color_texture,
+        &layers.coat_texture,        &layers.coat_roughness_texture,
+        &layers.sheen_color_texture, &layers.sheen_roughness_texture,
+        &layers.anisotropy_texture};
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const Result<std::uint32_t> texture = textures.use(infos[i].index);
+        if (!texture) return texture.error();
+        *ids[i] = *texture;
+    }
     return {};
+}
+
+glm::vec3 color(const Value* object, const char* key, double fallback, double most) {
+    const Value* value = member(object, key);
+    glm::vec3 result;
+    for (int i = 0; i < 3; ++i)
+        result[static_cast<glm::length_t>(i)] = clamped(element(value, i, fallback), 0.0, most);
+    return result;
+}
+
+void read_layers(const tinygltf::ExtensionMap& extensions, world::Material& to) {
+    world::Layers& layers = to.layers;
+    const Value* specular = extension(extensions, "KHR_materials_specular");
+    const Value* coat = extension(extensions, "KHR_materials_clearcoat");
+    const Value* sheen = extension(extensions, "KHR_materials_sheen");
+    const Value* anisotropy = extension(extensions, "KHR_materials_anisotropy");
+    // More than 1 is allowed, since what comes of it is clamped again: f0 is at most 1.
+    layers.specular_color = color(specular, "specularColorFactor", 1.0, 1.0e3);
+    layers.coat = clamped(number(coat, "clearcoatFactor", 0.0), 0.0, 1.0);
+    layers.coat_roughness = clamped(number(coat, "clearcoatRoughnessFactor", 0.0), 0.0, 1.0);
+    layers.sheen_color = color(sheen, "sheenColorFactor", 0.0, 1.0);
+    layers.sheen_roughness = clamped(number(sheen, "sheenRoughnessFactor", 0.0), 0.0, 1.0);
+    layers.anisotropy = clamped(number(anisotropy, "anisotropyStrength", 0.0), 0.0, 1.0);
+    layers.anisotropy_rotation = clamped(number(anisotropy, "anisotropyRotation", 0.0), -1.0e6, 1.0e6);
+    to.has_layers = specular != nullptr || layers.coat > 0.0f || layers.sheen_color != glm::vec3(0.0f) ||
+                    layers.anisotropy > 0.0f;
+}
+
+// Black, without any gloss, and shining in its base colour by itself. Alpha stays with the base colour's texture.
+void make_unlit(world::Material& material) {
+    material.emission = glm::vec3(material.base_color);
+    material.emission_texture = material.base_color_texture;
+    if (!material.uv_transforms.empty())
+        material.uv_transforms[static_cast<std::size_t>(world::TextureSlot::Emission)] =
+            material.uv_transforms[static_cast<std::size_t>(world::TextureSlot::BaseColor)];
+    material.base_color = glm::vec4(0.0f, 0.0f, 0.0f, material.base_color.w);
+    material.metallic = material.transmission = 0.0f;
+    material.roughness = material.ior = 1.0f;
+    material.normal_texture = material.metallic_roughness_texture = world::kNoIndex;
+    material.has_layers = false;
 }
 
 Result<world::Surface> read_surface(const tinygltf::Material& from, const world::Material& material) {
@@ -142,12 +227,17 @@ Result<world::Surface> read_surface(const tinygltf::Material& from, const world:
     return *surface;
 }
 
-Result<world::Material> read_material(const tinygltf::Material& from, TextureSet& textures) {
+Result<world::Material> read_material(const tinygltf::Material& from, TextureSet& textures, UvUse& uvs) {
     world::Material material;
     material.name = from.name;
     read_factors(from, material);
     read_glass(from.extensions, material);
-    if (const Result<void> read = read_textures(from, textures, material); !read) return read.error();
+    read_layers(from.extensions, material);
+    const TextureInfos infos = texture_infos(from);
+    if (const Result<void> read = read_textures(infos, textures, material); !read) return read.error();
+    material.normal_scale = clamped(from.normalTexture.scale, -100.0, 100.0);
+    uvs = uv_use(infos, material);
+    if (extension(from.extensions, "KHR_materials_unlit") != nullptr) make_unlit(material);
     const Result<world::Surface> surface = read_surface(from, material);
     if (!surface) return surface.error();
     material.surface = *surface;
@@ -169,13 +259,14 @@ world::Material unpainted() {
 Result<MaterialSet> read_materials(const tinygltf::Model& model, TextureSet& textures) {
     MaterialSet set;
     for (std::size_t i = 0; i < model.materials.size(); ++i) {
-        Result<world::Material> material = read_material(model.materials[i], textures);
+        UvUse uvs;
+        Result<world::Material> material = read_material(model.materials[i], textures, uvs);
         if (!material) {
             return Error{fmt::format("material {}: {}", name_or_number(model.materials[i].name, i),
                                      material.error().sentence)};
         }
         set.materials.push_back(std::move(*material));
-        set.uvs.push_back(first_uv_use(model.materials[i]));
+        set.uvs.push_back(uvs);
     }
     set.materials.push_back(unpainted());
     set.uvs.emplace_back();

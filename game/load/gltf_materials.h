@@ -15,8 +15,8 @@
 
 namespace gh::load {
 
-// KHR_texture_transform of a material's first texture, to be baked into the mesh that wears it; and which of
-// the mesh's uv sets that texture wants.
+// KHR_texture_transform, to be baked into the mesh that wears the material where all its textures agree (otherwise
+// Material::uv_transforms has them); and which of the mesh's uv sets the material's first texture wants.
 struct UvUse {
     glm::mat3x2 uv_from_file{1.0f};  // columns: u, v, offset
     int set = 0;

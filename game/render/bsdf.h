@@ -9,6 +9,13 @@
 //   Multi    more bounces (Kulla and Conty 2017): a white surface gives all light back at any roughness
 //   Glass    mirrored and bent, by the exact Fresnel equations. Rough glass bounces once only and darkens a little
 //
+//   Coat     a varnish of index 1.5 over all of these, and
+//   Sheen    the fibres of a cloth (sheen.h). Both dim what lies below by what they give back themselves, towards the eye
+//            and from the light alike: reciprocal, and never more than all
+//
+// Highlights drawn out along the surface (anisotropy) get half the further bounces that a round one as narrow as their
+// narrow side would get: they darken, and never give more than they get.
+//
 // Units     radiance; weights are value * |cos| / density. Radiance is squeezed by 1 / eta^2 into a denser medium.
 // Same bits pure.
 // Bad input material numbers that are NaN, infinite or out of range count as the nearest sane ones: no weight is NaN.
@@ -26,8 +33,8 @@
 
 namespace gh::render {
 
-enum class Lobe : std::uint8_t { Diffuse, Gloss, Multi, Glass };
-inline constexpr std::size_t kLobes = 4;
+enum class Lobe : std::uint8_t { Diffuse, Gloss, Multi, Glass, Coat, Sheen };
+inline constexpr std::size_t kLobes = 6;
 
 // A border between two clear media, as the path meets it.
 struct Border {
@@ -76,12 +83,26 @@ class Bsdf {
     [[nodiscard]] const glm::vec3& diffuse_albedo() const { return base_; }
 
   private:
+    void draw_out();
     void weigh_coat();
     void choose_lobes();
     [[nodiscard]] float coat_share(float cosine) const;
     [[nodiscard]] float facing_share(const glm::vec3& direction, float cosine) const;
     [[nodiscard]] glm::vec3 schlick_at(float cosine) const;
 
+    // bsdf_layers.cpp
+    void lay_over();
+    // What the layers let through from one side; `direction` points away from the surface.
+    [[nodiscard]] float below_coat(const glm::vec3& direction) const;
+    [[nodiscard]] float below_layers(const glm::vec3& direction, float cosine) const;
+    [[nodiscard]] BsdfSample sample_coat(const glm::vec2& u) const;
+    [[nodiscard]] LobeValue coat_value(const glm::vec3& direction) const;
+    [[nodiscard]] LobeValue sheen_value(const glm::vec3& direction, const glm::vec3& local) const;
+    [[nodiscard]] BsdfSample sample_base(Lobe lobe, float u_within, const glm::vec2& u) const;
+
+    // Facets, drawn out or round.
+    [[nodiscard]] float lambda(const glm::vec3& local) const;
+    [[nodiscard]] float visible(const glm::vec3& half) const;
     [[nodiscard]] BsdfSample sample_cosine(Lobe lobe, const glm::vec2& u) const;
     [[nodiscard]] BsdfSample sample_gloss(const glm::vec2& u) const;
     [[nodiscard]] BsdfSample sample_smooth_glass(float u_choice) const;
@@ -107,6 +128,16 @@ class Bsdf {
     float roughness_ = 1.0f;
     float alpha_ = 1.0f;
     bool is_smooth_ = false;
+    bool is_drawn_out_ = false;
+    glm::vec2 alphas_{1.0f};  // if it is
+
+    bool has_layers_ = false;
+    float coat_ = 0.0f, coat_roughness_ = 0.0f;
+    Basis coat_basis_;
+    glm::vec3 coat_eye_{0.0f, 0.0f, 1.0f};
+    glm::vec3 sheen_color_{0.0f};
+    float sheen_most_ = 0.0f;
+    float eye_below_coat_ = 1.0f, eye_below_ = 1.0f;  // what the layers leave to the eye
     float lambda_eye_ = 0.0f;
 
     GlossEnergy::Share seen_, mean_;

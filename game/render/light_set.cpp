@@ -149,8 +149,11 @@ glm::vec3 LightSet::emission_at(const rc::Hit& hit, const glm::vec3& direction) 
     glm::vec3 emission = sane_light(material.emission);
     if (material.emission_texture != world::kNoIndex && !mesh.uvs.empty()) {
         const glm::uvec3& index = mesh.triangles[hit.primitive];
-        const glm::vec2 uv = mesh.uvs[index.x] * (1.0f - hit.u - hit.v) + mesh.uvs[index.y] * hit.u +
-                             mesh.uvs[index.z] * hit.v;
+        glm::vec2 uv = mesh.uvs[index.x] * (1.0f - hit.u - hit.v) + mesh.uvs[index.y] * hit.u +
+                       mesh.uvs[index.z] * hit.v;
+        if (!material.uv_transforms.empty())
+            uv = material.uv_transforms[static_cast<std::size_t>(world::TextureSlot::Emission)] *
+                 glm::vec3(uv, 1.0f);
         emission *= glm::vec3(view_.prepared.textures[material.emission_texture].sample(uv, {}));
     }
     return emission;

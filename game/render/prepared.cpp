@@ -17,7 +17,9 @@ namespace {
 std::vector<Encoding> encodings(const world::Level& level) {
     std::vector<Encoding> result(level.textures.size(), Encoding::Linear);
     for (const world::Material& material : level.materials) {
-        for (const std::uint32_t texture : {material.base_color_texture, material.emission_texture}) {
+        for (const std::uint32_t texture :
+             {material.base_color_texture, material.emission_texture, material.layers.specular_color_texture,
+              material.layers.sheen_color_texture}) {
             if (texture != world::kNoIndex) result[texture] = Encoding::Srgb;
         }
     }

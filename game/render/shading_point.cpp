@@ -1,6 +1,7 @@
 #include "render/shading_point.h"
 
 #include "base/contracts.h"
+#include "base/det_math.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -92,9 +93,12 @@ Footprint footprint_of(const Corners& corners, const glm::vec3& direction, const
             .minor = uv_along(corners, across * cone_width)};
 }
 
-// Bends the smooth normal as the normal map says.
-glm::vec3 mapped_normal(const world::Mesh& mesh, const world::Material& material, const Corners& corners,
-                        const glm::mat3& to_world, const glm::vec3& smooth, const glm::vec4& texel) {
+// The ways u and v grow along a surface of this normal; 0 where the mesh does not say.
+struct Tangents {
+    glm::vec3 tangent{0.0f}, bitangent{0.0f};
+};
+Tangents tangents_at(const world::Mesh& mesh, const Corners& corners, const glm::mat3& to_world,
+                     const glm::vec3& smooth) {
     glm::vec3 tangent;
     float handedness = 1.0f;
     if (!mesh.tangents.empty()) {
@@ -110,10 +114,57 @@ glm::vec3 mapped_normal(const world::Mesh& mesh, const world::Material& material
         handedness = det < 0.0f ? 1.0f : -1.0f;  // v runs down, the map's green runs up
     }
     tangent = unit_or(tangent - smooth * glm::dot(tangent, smooth), glm::vec3(0.0f));
-    const glm::vec3 bitangent = glm::cross(smooth, tangent) * handedness;
+    return {tangent, glm::cross(smooth, tangent) * handedness};
+}
+
+// Bends the smooth normal as the normal map says.
+glm::vec3 mapped_normal(const world::Material& material, const Tangents& along, const glm::vec3& smooth,
+                        const glm::vec4& texel) {
     const float x = (texel.x * 2.0f - 1.0f) * material.normal_scale,
                 y = (texel.y * 2.0f - 1.0f) * material.normal_scale;
-    return unit_or(tangent * x + bitangent * y + smooth * (texel.z * 2.0f - 1.0f), smooth);
+    return unit_or(along.tangent * x + along.bitangent * y + smooth * (texel.z * 2.0f - 1.0f), smooth);
+}
+
+glm::vec2 uv_of(const world::Material& material, world::TextureSlot slot, const glm::vec2& uv) {
+    if (material.uv_transforms.empty()) return uv;
+    return material.uv_transforms[static_cast<std::size_t>(slot)] * glm::vec3(uv, 1.0f);
+}
+
+// The footprint of a texture that is looked up elsewhere.
+Footprint footprint_of(const world::Material& material, world::TextureSlot slot, const Footprint& footprint) {
+    if (material.uv_transforms.empty()) return footprint;
+    const glm::mat3x2& m = material.uv_transforms[static_cast<std::size_t>(slot)];
+    return {m * glm::vec3(footprint.major, 0.0f), m * glm::vec3(footprint.minor, 0.0f)};
+}
+
+// `look_up` gives a texture's value there, 1 for none.
+template <class LookUp>
+void add_layers(const world::Material& material, const Tangents& along, const LookUp& look_up,
+                ShadingPoint& point) {
+    using Slot = world::TextureSlot;
+    const world::Layers& layers = material.layers;
+    point.specular = material.specular * look_up(layers.specular_texture, Slot::Specular).w;
+    point.specular_color =
+        layers.specular_color * glm::vec3(look_up(layers.specular_color_texture, Slot::SpecularColor));
+    point.coat = layers.coat * look_up(layers.coat_texture, Slot::Coat).x;
+    point.coat_roughness =
+        layers.coat_roughness * look_up(layers.coat_roughness_texture, Slot::CoatRoughness).y;
+    point.sheen_color = layers.sheen_color * glm::vec3(look_up(layers.sheen_color_texture, Slot::SheenColor));
+    point.sheen_roughness =
+        layers.sheen_roughness * look_up(layers.sheen_roughness_texture, Slot::SheenRoughness).w;
+    if (!(layers.anisotropy > 0.0f)) return;
+    glm::vec2 way(1.0f, 0.0f);
+    point.anisotropy = layers.anisotropy;
+    if (layers.anisotropy_texture != world::kNoIndex) {
+        const glm::vec4 texel = look_up(layers.anisotropy_texture, Slot::Anisotropy);
+        way = {texel.x * 2.0f - 1.0f, texel.y * 2.0f - 1.0f};
+        point.anisotropy *= texel.z;
+    }
+    const det::SinCos turn = det::sin_cos(layers.anisotropy_rotation);
+    const glm::vec2 turned(turn.cos * way.x - turn.sin * way.y, turn.sin * way.x + turn.cos * way.y);
+    // Without a tangent there is no way to draw it out.
+    point.drawn_out = unit_or(along.tangent * turned.x + along.bitangent * turned.y, glm::vec3(0.0f));
+    if (point.drawn_out == glm::vec3(0.0f)) point.anisotropy = 0.0f;
 }
 
 // A smooth normal may face away from the eye near a silhouette; there it is bent until it just does not.
@@ -148,20 +199,27 @@ ShadingPoint shading_point(const SceneView& view, const rc::Ray& ray, const rc::
 
     const Footprint footprint =
         mesh.uvs.empty() ? Footprint{} : footprint_of(corners, direction, outward, cone_width);
-    const auto look_up = [&](std::uint32_t texture) {
+    using Slot = world::TextureSlot;
+    const auto look_up = [&](std::uint32_t texture, Slot slot) {
         if (texture == world::kNoIndex || mesh.uvs.empty()) return glm::vec4(1.0f);
-        return view.prepared.textures[texture].sample(corners.uv, footprint, max_taps);
+        return view.prepared.textures[texture].sample(uv_of(material, slot, corners.uv),
+                                                      footprint_of(material, slot, footprint), max_taps);
     };
-    const glm::vec4 base = material.base_color * look_up(material.base_color_texture);
-    const glm::vec4 rough_metal = look_up(material.metallic_roughness_texture);
+    const glm::vec4 base = material.base_color * look_up(material.base_color_texture, Slot::BaseColor);
+    const glm::vec4 rough_metal = look_up(material.metallic_roughness_texture, Slot::MetallicRoughness);
     point.base_color = glm::vec3(base);
     point.alpha = base.w;
     point.roughness = material.roughness * rough_metal.y;
     point.metallic = material.metallic * rough_metal.z;
-    point.emission = material.emission * glm::vec3(look_up(material.emission_texture));
+    point.emission = material.emission * glm::vec3(look_up(material.emission_texture, Slot::Emission));
+    point.specular = material.specular;
     point.smooth = facing_eye(point.is_entering ? normal : -normal, -direction);
-    if (material.normal_texture != world::kNoIndex && !mesh.uvs.empty()) {
-        normal = mapped_normal(mesh, material, corners, to_world, normal, look_up(material.normal_texture));
+    const bool has_map = material.normal_texture != world::kNoIndex && !mesh.uvs.empty();
+    if (has_map || material.has_layers) {
+        const Tangents along = tangents_at(mesh, corners, to_world, normal);
+        if (material.has_layers) add_layers(material, along, look_up, point);
+        if (has_map)
+            normal = mapped_normal(material, along, normal, look_up(material.normal_texture, Slot::Normal));
     }
     point.normal = facing_eye(point.is_entering ? normal : -normal, -direction);
     return point;
@@ -193,7 +251,8 @@ Clearness clearness(const SceneView& view, const rc::Hit& hit) {
 
     glm::vec4 base = material.base_color;
     if (material.base_color_texture != world::kNoIndex && !mesh.uvs.empty()) {
-        base *= view.prepared.textures[material.base_color_texture].sample(corners.uv, {});
+        base *= view.prepared.textures[material.base_color_texture].sample(
+            uv_of(material, world::TextureSlot::BaseColor, corners.uv), {});
     }
     float covered = 1.0f;
     if (material.alpha_mode == world::AlphaMode::Mask) covered = base.w < material.alpha_cutoff ? 0.0f : 1.0f;

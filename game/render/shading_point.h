@@ -25,6 +25,15 @@ struct ShadingPoint {
     float metallic = 0.0f;
     float roughness = 1.0f;
     glm::vec3 emission{0.0f};
+    // KHR_materials_specular, _clearcoat, _sheen, _anisotropy; as if there was none unless the material has layers.
+    float specular = 1.0f;
+    glm::vec3 specular_color{1.0f};
+    float coat = 0.0f, coat_roughness = 0.0f;
+    glm::vec3 sheen_color{0.0f};
+    float sheen_roughness = 0.0f;
+    float anisotropy = 0.0f;
+    glm::vec3 drawn_out{
+        0.0f};  // unit, along the surface: the way highlights are drawn out; only if anisotropic
 };
 
 // `cone_width`: of the pixel's cone where the ray ends, metres; `max_taps`: of each texture. Precondition: `hit` is a hit
@@ -39,10 +48,10 @@ struct ShadingPoint {
 // reflection at its surface.
 struct Clearness {
     rc::SurfacePoint surface;
-    glm::vec3 share{0.0f};    // 0: opaque
-    float glass = 0.0f;       // how much of it is glass, whose surface reflects, rather than holes
+    glm::vec3 share{0.0f};        // 0: opaque
+    float glass = 0.0f;           // how much of it is glass, whose surface reflects, rather than holes
     glm::vec3 glass_share{0.0f};  // of `share`, what passes the glass
-    glm::vec3 outward{0.0f};  // unit
+    glm::vec3 outward{0.0f};      // unit
     const world::Material* material = nullptr;
 };
 [[nodiscard]] Clearness clearness(const SceneView& view, const rc::Hit& hit);

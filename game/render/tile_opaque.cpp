@@ -41,8 +41,9 @@ void TileTracer::shade_opaque(const PathRay& path, const ShadingPoint& at, const
                               FrameStats& stats) {
     const glm::vec3 to_eye = -path.ray.direction;
     const float cos_eye = glm::dot(at.normal, to_eye);
-    const glm::vec3 f0 =
-        glm::mix(glm::vec3(reflectance_head_on(at.material->ior)), at.base_color, at.metallic);
+    const glm::vec3 f0 = glm::mix(
+        glm::min(at.specular_color * reflectance_head_on(at.material->ior), glm::vec3(1.0f)) * at.specular,
+        at.base_color, at.metallic);
     const float f90 = std::min(1.0f, 50.0f * brightest(f0));  // an index of 1 mirrors nothing at any angle
     const glm::vec3 glossy = frame_.gloss.albedo(f0, f90, cos_eye, at.roughness);
     const glm::vec3 diffuse = at.base_color * ((1.0f - at.metallic) * (1.0f - brightest(glossy)));

@@ -11,6 +11,7 @@
 #include "raycore/ray.h"
 
 #include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x2.hpp>
 #include <glm/mat4x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -49,7 +50,42 @@ struct Texture {
 
 enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend };
 
+// The textures a material may have, in the order of Material::uv_transforms.
+enum class TextureSlot : std::uint8_t {
+    BaseColor,
+    MetallicRoughness,
+    Normal,
+    Emission,
+    Specular,
+    SpecularColor,
+    Coat,
+    CoatRoughness,
+    SheenColor,
+    SheenRoughness,
+    Anisotropy
+};
+inline constexpr std::size_t kTextureSlots = 11;
+
+// What few materials have: KHR_materials_specular's colour, _clearcoat, _sheen, _anisotropy.
+struct Layers {
+    glm::vec3 specular_color{1.0f};  // of the dielectric's reflection head on
+    glm::vec3 sheen_color{0.0f};
+    float sheen_roughness = 0.0f;
+    float coat = 0.0f;  // share of the surface that is varnished
+    float coat_roughness = 0.0f;
+    float anisotropy = 0.0f;                           // 0: round highlights, 1: drawn out along the tangent
+    float anisotropy_rotation = 0.0f;                  // of that way, from the tangent towards the bitangent
+    std::uint32_t specular_texture = kNoIndex;         // A
+    std::uint32_t specular_color_texture = kNoIndex;   // RGB
+    std::uint32_t coat_texture = kNoIndex;             // R
+    std::uint32_t coat_roughness_texture = kNoIndex;   // G
+    std::uint32_t sheen_color_texture = kNoIndex;      // RGB
+    std::uint32_t sheen_roughness_texture = kNoIndex;  // A
+    std::uint32_t anisotropy_texture = kNoIndex;       // RG direction, B strength
+};
+
 // glTF 2.0 metallic-roughness with transmission, ior, volume and emissive strength. Texture ids may be kNoIndex.
+// KHR_materials_unlit is a black material that shines in its base colour.
 struct Material {
     std::string name;
     glm::vec4 base_color{1.0f};  // linear
@@ -70,6 +106,10 @@ struct Material {
     std::uint32_t metallic_roughness_texture = kNoIndex;  // G roughness, B metallic
     std::uint32_t normal_texture = kNoIndex;
     std::uint32_t emission_texture = kNoIndex;
+    Layers layers;
+    bool has_layers = false;  // something in `layers` is not as it is there
+    // One a TextureSlot: where its texture is looked up, from the mesh's uv (columns u, v, offset). Empty: as it is.
+    std::vector<glm::mat3x2> uv_transforms;
 };
 
 // Triangles of one glTF mesh, all primitives together. Arrays of vertices have equal length; uvs, tangents and
