@@ -14,6 +14,7 @@ namespace gh::app {
 
 namespace {
 
+constexpr float kClamp = 2.0f;  // multiples of white, as RendererOptions has it
 constexpr float kDegree = 0.017453293f;
 constexpr float kLeanRoll = 0.06f;  // radians at a full lean
 
@@ -120,9 +121,9 @@ void View::expose_next(const render::SceneView& scene, const render::Camera& cam
         .radiance = film_.radiance,
         .lens = {.eye = lens.position(), .corner = lens.corner(), .right = lens.right(), .down = lens.down()},
         .jitter = settings.jitter,
-        .part = film_.seen.part,
-        .position = film_.seen.position,
-        .previous = film_.seen.previous};
+        .part = film_.planes.part,
+        .position = film_.planes.position,
+        .previous = film_.planes.previous};
     upscaler_.add(next, shown, jobs, added_up_);
     is_added_up_ = true;
 }
@@ -131,7 +132,18 @@ void View::expose(const render::SceneView& scene, const render::Camera& camera,
                   const render::PathSettings& settings, std::uint32_t frame, const Jobs& jobs) {
     render::render_path(scene, camera, settings, frame, jobs, film_);
     is_added_up_ = false;
-    if (settings.fills_planes) denoiser_.denoise(film_, jobs);
+    if (!settings.fills_planes) return;
+    filter::DenoiseSettings filtering;
+    // A firefly is what stands out and is brighter than four times white.
+    filtering.mend.floor = std::min(filtering.mend.floor, 4.0f / kClamp * settings.most_indirect);
+    denoiser_.denoise(film_, jobs, filtering);
+}
+
+void View::expose_next(const render::SceneView& scene, const render::Camera& camera, std::uint32_t frame,
+                       const Jobs& jobs) {
+    render::PathSettings settings = render::realtime_path();
+    if (exposure_ > 0.0f) settings.most_indirect = kClamp / exposure_;
+    expose(scene, camera, settings, frame, jobs);
 }
 
 const Image8& View::develop(std::uint32_t frame, float seconds, float stops, const Jobs& jobs) {

@@ -59,6 +59,9 @@ class View {
     // By path tracing. Denoised if it fills planes.
     void expose(const render::SceneView& scene, const render::Camera& camera,
                 const render::PathSettings& settings, std::uint32_t frame, const Jobs& jobs);
+    // The next of many by path tracing, as fast and as clean as it can be: one sample a pixel, denoised over the frames.
+    void expose_next(const render::SceneView& scene, const render::Camera& camera, std::uint32_t frame,
+                     const Jobs& jobs);
     void forget() {
         upscaler_.forget();
         denoiser_.forget();

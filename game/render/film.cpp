@@ -13,19 +13,17 @@ FrameStats& FrameStats::operator+=(const FrameStats& other) {
     return *this;
 }
 
-void SeenThings::resize(std::size_t pixels) {
-    part.resize(pixels);
-    position.resize(pixels);
-    previous.resize(pixels);
-    normal.resize(pixels);
+void FilmPlanes::resize_surfaces(std::size_t pixels) {
+    part.assign(pixels, kSky);
+    for (std::vector<glm::vec3>* plane : {&position, &previous, &geometric})
+        plane->assign(pixels, glm::vec3(0.0f));
 }
 
 void FilmPlanes::resize(int width, int height) {
     direct = indirect = specular = clean = Image(width, height);
     const std::size_t count = direct.pixels.size();
-    part.assign(count, kSky);
-    for (std::vector<glm::vec3>* plane : {&position, &previous, &normal, &geometric, &albedo})
-        plane->assign(count, glm::vec3(0.0f));
+    resize_surfaces(count);
+    for (std::vector<glm::vec3>* plane : {&normal, &albedo}) plane->assign(count, glm::vec3(0.0f));
     roughness.assign(count, 1.0f);
     reflected.assign(count, 0.0f);
 }

@@ -29,40 +29,31 @@ struct FrameStats {
     FrameStats& operator+=(const FrameStats& other);
 };
 
-// What each pixel shows, for filters that follow it from frame to frame. A pixel that looks into a mirror describes what
-// is seen there, unfolded: it lies on the straight line through the pixel, at the whole length of the way.
-struct SeenThings {
-    static constexpr std::uint32_t kNone = 0xFFFFFFFFu;  // sky
-
-    std::vector<std::uint32_t>
-        part;  // the same thing has the same number in every frame; another image of it another
-    std::vector<glm::vec3> position;  // world
-    std::vector<glm::vec3> previous;  // where that point of that thing was in the picture before
-    std::vector<glm::vec3> normal;    // unit, of the triangle, towards the eye
-
-    void resize(std::size_t pixels);
-};
-
-// The surface that each pixel shows and its light by how it behaves; one entry a pixel, all or none. Every plane means
-// what the plane of that name in filter/gbuffer.h means: mirrors and clear glass are looked through, unfolded.
+// The surface that each pixel shows and its light by how it behaves, for filters that follow it from frame to frame. One
+// entry a pixel; a renderer fills the first four planes, and the others all or none. Every plane means what the plane of
+// that name in filter/gbuffer.h means: mirrors and clear glass are looked through, unfolded: what is seen there lies on
+// the straight line through the pixel, at the whole length of the way.
 struct FilmPlanes {
     static constexpr std::uint32_t kSky = 0xFFFFFFFFu;
 
     glm::vec3 eye{0.0f}, corner{0.0f}, right{0.0f}, down{0.0f};  // of the lens
-    std::vector<std::uint32_t> part;  // kSky: no surface
+    // kSky: no surface. The same thing has the same number in every frame; another image of it may have another.
+    std::vector<std::uint32_t> part;
     std::vector<glm::vec3> position, previous;
-    std::vector<glm::vec3> normal, geometric;  // towards the eye
+    std::vector<glm::vec3> geometric;  // towards the eye
+
+    std::vector<glm::vec3> normal;  // towards the eye
     std::vector<glm::vec3> albedo;
     std::vector<float> roughness;
     std::vector<float> reflected;
     Image direct, indirect, specular, clean;  // they sum to the picture
 
+    void resize_surfaces(std::size_t pixels);  // the first four
     void resize(int width, int height);
 };
 
 struct Film {
-    Image radiance;   // linear, scene-referred; its size is the picture's size
-    SeenThings seen;  // empty unless asked for
+    Image radiance;  // linear, scene-referred; its size is the picture's size
     FrameStats stats;
     FilmPlanes planes;  // empty unless asked for
 

@@ -57,10 +57,11 @@ class PathTile {
         MediumStack media;
         float cone_width = 0.0f, cone_angle = 0.0f;
         std::uint32_t sample = 0;
-        std::uint32_t branch = 0;  // of paths split at glass
-        std::uint16_t pixel = 0;   // of the tile
-        std::uint8_t depth = 0;    // scatterings so far
-        std::uint8_t passes = 0;   // holes and sheets so far
+        std::uint32_t branch = 0;   // of paths split at glass
+        std::uint16_t pixel = 0;    // of the tile
+        std::uint8_t depth = 0;     // scatterings so far
+        std::uint8_t passes = 0;    // holes and sheets so far
+        std::uint8_t scatters = 0;  // off anything but mirrors and smooth glass so far
         Channel channel = Channel::Clean;
         bool is_eye = true;         // met mirrors and smooth glass only
         bool is_leading = true;     // its surface speaks for the pixel
@@ -108,7 +109,8 @@ class PathTile {
         const Bsdf& bsdf;
         GleamGuide guide;
     };
-    void ask_lamp(const Path& path, const Scatterer& here);
+    void ask_lamp(const Path& path, const Scatterer& here, bool is_last);
+    void end_in_bake(const Path& path, const ShadingPoint& at, const Bsdf& bsdf);
     struct Onward : BsdfSample {
         float survival = 1.0f;  // brightest weight, were it not sent on purpose
     };

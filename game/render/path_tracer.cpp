@@ -9,7 +9,8 @@ namespace gh::render {
 
 PathSettings realtime_path() {
     PathSettings settings;
-    settings.max_depth = 2;
+    settings.max_depth = 8;
+    settings.ends_in_bake = true;
     settings.sampler = SampleKind::BlueNoise;
     settings.caustics = Caustics::Unbent;
     settings.splits_glass = true;
@@ -27,7 +28,7 @@ void render_path(const SceneView& scene, const Camera& camera, const PathSetting
     const int width = film.radiance.width, height = film.radiance.height;
     film.stats = {};
     if (width == 0 || height == 0) return;
-    const FrameLight light = frame_light(scene, false);
+    const FrameLight light = frame_light(scene, settings.ends_in_bake);
     const LightSet lights(scene, light, settings.environment);
     const PathFrame shared{.view = scene,
                            .settings = settings,

@@ -52,6 +52,10 @@ struct PathSettings {
     // Whether the eye's path is split in two at smooth glass, so that each pixel's surfaces do not depend on chance.
     bool splits_glass = false;
     bool fills_planes = false;  // of the film, for filters
+    // Ends paths after that many scatterings off anything but mirrors and smooth glass, in the light that was baked for
+    // where they are (ambient.h): a bounce's noise and cost less, and the bake's error instead: corners it cannot see.
+    bool ends_in_bake = false;
+    int max_scatters = 1;
     // Two ways to trade fireflies for a bounded error; neither touches what the eye sees directly, in mirrors or through
     // glass, nor the first light on it. Clamping takes what one path brings by one bounce or more down to this radiance:
     // dims by what is above it. Roughening makes gloss (never glass) at least that rough once a path has been scattered

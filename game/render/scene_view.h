@@ -11,7 +11,7 @@ struct SceneView {
     const world::Level& level;
     const world::Snapshot& snapshot;  // of this very level
     const Prepared& prepared;         // for this very level
-    // The world of the picture before, by which Film::seen knows what moved. Null: nothing did.
+    // The world of the picture before, by which Film::planes know what moved. Null: nothing did.
     const world::Snapshot* before = nullptr;
 };
 

@@ -11,13 +11,13 @@ namespace gh::render {
 
 namespace {
 
-void note_things(const std::vector<PixelLight>& pixels, SeenThings& seen) {
-    seen.resize(pixels.size());
+void note_things(const std::vector<PixelLight>& pixels, FilmPlanes& planes) {
+    planes.resize_surfaces(pixels.size());
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        seen.part[i] = pixels[i].part;
-        seen.position[i] = pixels[i].unfolded;
-        seen.previous[i] = pixels[i].previous;
-        seen.normal[i] = pixels[i].facing;
+        planes.part[i] = pixels[i].part;
+        planes.position[i] = pixels[i].unfolded;
+        planes.previous[i] = pixels[i].previous;
+        planes.geometric[i] = pixels[i].facing;
     }
 }
 
@@ -53,7 +53,7 @@ void render_whitted(const SceneView& scene, const Camera& camera, const WhittedS
     });
     for (const FrameStats& tile : stats) film.stats += tile;
     develop(pixels, settings.shares_samples, jobs, film.radiance);
-    if (settings.notes_things) note_things(pixels, film.seen);
+    if (settings.notes_things) note_things(pixels, film.planes);
 }
 
 }  // namespace gh::render

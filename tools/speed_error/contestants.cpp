@@ -97,9 +97,9 @@ std::function<Run()> upscaled_run(const WhittedSettings& settings) {
                                            .right = lens.right(),
                                            .down = lens.down()},
                                   .jitter = jittered.jitter,
-                                  .part = small.seen.part,
-                                  .position = small.seen.position,
-                                  .previous = small.seen.previous},
+                                  .part = small.planes.part,
+                                  .position = small.planes.position,
+                                  .previous = small.planes.previous},
                                  {width, height}, shot.jobs, film.radiance);
             film.stats = small.stats;
             return StageTimes{.render_ms = rendered - start, .filter_ms = core_ms() - rendered};

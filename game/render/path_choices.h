@@ -1,0 +1,37 @@
+// render/path_choices.h - what a tile's decisions have in common: which random number is for what, and how finds are
+// weighed.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace gh::render {
+
+inline constexpr std::uint8_t kMostPasses = 32;  // holes and sheets on one path
+
+// Dimensions of the sample sequence, at each bounce.
+enum Purpose : std::uint32_t {
+    kLobePurpose,
+    kDirectionPurpose,
+    kLampPurpose,
+    kOnLampPurpose,
+    kRoulettePurpose,
+    kHolePurpose,
+    kGleamPurpose,
+    kWhichGleamPurpose
+};
+
+[[nodiscard]] inline float brightest(const glm::vec3& c) {
+    return std::max({c.x, c.y, c.z});
+}
+
+// The power heuristic: what a find by the way of density `own` counts when another one might have found it too.
+[[nodiscard]] inline float counts(float own, float other) {
+    if (!(other > 0.0f)) return 1.0f;
+    const float ratio = other / own;
+    return 1.0f / (1.0f + ratio * ratio);
+}
+
+}  // namespace gh::render
