@@ -164,9 +164,13 @@ void Loop::draw() {
         const Clock::time_point start = Clock::now();
         view_.resize(size.x, size.y);
         if (!seen_before_ || seen_before_->state.tick > now->state.tick) view_.forget();
-        view_.expose_next({*session_.level, *now, *session_.prepared, seen_before_.get()}, camera,
-                          kWindowSettings, frame_, resolution_.shown_size(size, window_.framebuffer_size()),
-                          *session_.jobs);
+        const render::SceneView scene{*session_.level, *now, *session_.prepared, seen_before_.get()};
+        if (traces_paths_) {
+            view_.expose_next(scene, camera, frame_, *session_.jobs);
+        } else {
+            view_.expose_next(scene, camera, kWindowSettings, frame_,
+                              resolution_.shown_size(size, window_.framebuffer_size()), *session_.jobs);
+        }
         seen_before_ = now;
         frame_watch_.enter("filter");
         view_.develop(frame_, picture_seconds_, settings_.brightness, *session_.jobs);

@@ -27,6 +27,8 @@ class Loop {
          std::optional<std::vector<input::Command>> watched = std::nullopt);
     ~Loop();
 
+    // Pictures by path tracing from now on.
+    void trace_paths() { traces_paths_ = true; }
     // Until the player quits. An error is a recording that can no longer be written.
     [[nodiscard]] Result<void> run(const std::filesystem::path& record_to);
 
@@ -60,11 +62,12 @@ class Loop {
     Stopwatch tick_watch_;
 
     Clock::time_point last_time_ = Clock::now();
-    float owed_seconds_ = 0.0f;     // of simulation
-    float picture_seconds_ = 0.0f;  // since the last picture
+    float owed_seconds_ = 0.0f;                           // of simulation
+    float picture_seconds_ = 0.0f;                        // since the last picture
     std::shared_ptr<const world::Snapshot> seen_before_;  // in the last picture
     std::uint32_t frame_ = 0;
     std::uint32_t seed_ = 0;
+    bool traces_paths_ = false;
     bool is_paused_ = false;
     bool shows_profiler_ = false;
     bool wants_to_quit_ = false;

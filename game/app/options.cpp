@@ -139,6 +139,10 @@ std::variant<Options, int> parse_options(int argc, char** argv) {
     app.add_option("LEVEL", play.level, "a level under assets/levels, or any .gltf or .glb")
         ->capture_default_str();
     app.add_option("--record", play.record, "where the run is recorded")->type_name("FILE");
+    app.add_option("--renderer", play.renderer,
+                   "how light is computed: path is slower, noisier and more true")
+        ->check(CLI::IsMember({"whitted", "path"}))
+        ->capture_default_str();
     app.add_flag("--fullscreen", play.is_fullscreen, "take the whole screen");
     add_size(app, play.size);
     add_machine(app, play.machine);

@@ -40,6 +40,7 @@ struct PlayOptions {
     std::string level = "foyer";
     std::filesystem::path record;  // empty: a name made from the date
     Size size;
+    std::string renderer = "whitted";
     bool is_fullscreen = false;
     MachineOptions machine;
 };

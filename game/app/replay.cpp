@@ -118,6 +118,7 @@ int run_in_window(const ReplayOptions& options, const input::Replay& replay, Ses
     if (!window) return refuse(window.error());
     session.prepare_pictures();
     Loop loop(session, *window, replay.header.level_name, replay.commands);
+    if (options.renderer.renderer == "path") loop.trace_paths();
     if (const auto done = loop.run({}); !done) return refuse(done.error());
     return kExitFine;
 }

@@ -31,7 +31,7 @@ struct DenoiseSettings {
     // Levels of 0: not smoothed over the picture.
     AtrousSettings direct{.levels = 3};
     AtrousSettings indirect{.levels = 4};
-    AtrousSettings specular{.levels = 2};
+    AtrousSettings specular{.levels = 3};
     bool settles = true;  // whether unknown changes are looked for
     float settle_sigmas = 2.0f;
 };

@@ -15,15 +15,16 @@ namespace gh::filter::HWY_NAMESPACE {
 
 constexpr float kEnough = 4.0f;  // samples to judge a pixel by its own
 constexpr int kApart = 2;        // pixels between the neighbours asked
+constexpr int kReach = 4;        // of them, in pixels: light that finds one pixel in 25 is still seen to be noise
 
 // Of one sample, from the neighbours on the same surface.
 static Floats variance_around(const VarianceRow& row, std::size_t x) {
     const Surface surface = surface_at(row.guides, x, 1.0f);
     Floats weight = splat(1.0f), mean = load(row.luminance + x), square = load(row.square + x);
-    for (int dy = -kApart; dy <= kApart; dy += kApart) {
+    for (int dy = -kReach; dy <= kReach; dy += kApart) {
         if (row.y + dy < 0 || row.y + dy >= row.height) continue;
         const Floats base = below(surface, dy);
-        for (int dx = -kApart; dx <= kApart; dx += kApart) {
+        for (int dx = -kReach; dx <= kReach; dx += kApart) {
             if (dx == 0 && dy == 0) continue;
             const std::ptrdiff_t column = static_cast<std::ptrdiff_t>(x) + dx;
             const std::ptrdiff_t at = column + dy * row.stride;
