@@ -7,8 +7,10 @@
 #include "kernels/triangle.inl"
 #include "kernels/boxes.inl"
 #include "kernels/traverse.inl"
+#include "kernels/top_walk.inl"
 #include "kernels/stream.inl"
 #include "kernels/packet_rays.inl"
+#include "kernels/packet_lanes.inl"
 #include "kernels/packet.inl"
 #include "kernels/sinks.inl"
 // clang-format on
