@@ -1,11 +1,11 @@
 // render/texture.h - textures as a ray sees them: blurred to just the patch of surface its pixel covers.
 //
-// Memory    four thirds of the level's own bytes, in blocks of 4x4 texels, one cache line each.
-// Cost      8 texels a tap, about 25 ns where they are near; one tap face on, up to 8 along the stretched side at
-//           grazing angles.
-// Same bits pure; averages are made in linear light, in index order.
+// Memory    eight thirds of the level's own bytes: 16 bits of linear light a channel, in blocks of 4x4 texels.
+// Cost      8 texels a tap (texture_taps.h); one tap face on, up to 8 along the stretched side at grazing angles.
+// Same bits pure; averages are made in index order.
 #pragma once
 
+#include "render/texture_taps.h"
 #include "world/level.h"
 
 #include <glm/vec2.hpp>
@@ -41,25 +41,18 @@ class MipTexture {
   private:
     struct Mip {
         int width = 0, height = 0;  // texels
-        std::size_t blocks_across = 0;
-        std::vector<std::uint32_t> rgba;  // red in the lowest byte
+        int blocks_across = 0;
+        std::vector<std::uint16_t> rgba;
 
         Mip(int width, int height);
-        [[nodiscard]] std::size_t index(int x, int y) const {
-            const auto column = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y);
-            return ((row >> 2) * blocks_across + (column >> 2)) * 16 + (row & 3) * 4 + (column & 3);
-        }
+        [[nodiscard]] std::uint16_t* texel(int x, int y);
+        [[nodiscard]] MipView view() const { return {rgba.data(), width, height, blocks_across}; }
     };
-    [[nodiscard]] glm::vec4 linear(std::uint32_t texel) const;
-    [[nodiscard]] std::uint32_t encoded(const glm::vec4& mean) const;
-    [[nodiscard]] glm::vec4 bilinear(const Mip& mip, const glm::vec2& uv) const;
-    [[nodiscard]] glm::vec4 trilinear(float level, const glm::vec2& uv) const;
-    [[nodiscard]] Mip halved(const Mip& big) const;
+    [[nodiscard]] static Mip halved(Mip& big);
 
     std::vector<Mip> mips_;
-    world::Wrap wrap_u_;
-    world::Wrap wrap_v_;
-    Encoding encoding_;
+    Edge edge_u_;
+    Edge edge_v_;
 };
 
 }  // namespace gh::render
