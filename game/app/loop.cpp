@@ -16,7 +16,8 @@ namespace gh::app {
 namespace {
 
 constexpr int kMostTicksAPicture = 6;
-constexpr render::WhittedSettings kWindowSettings{.texture_taps = 4.0f, .is_adaptive = true};
+constexpr render::WhittedSettings kWindowSettings{
+    .texture_taps = 4.0f, .texture_blur = 0.5f, .is_adaptive = true};  // shown at twice the size
 constexpr const char* kPhaseNames[sim::kPhaseCount] = {"decide", "doors",  "motion",   "stones",
                                                        "noise",  "commit", "perceive", "judge"};
 

@@ -15,12 +15,14 @@ namespace gh::filter {
 
 namespace {
 
-constexpr float kStillWeight = 10.0f;  // samples a mean goes over where nothing moves ...
-constexpr float kMovingWeight = 2.0f;  // ... and where each frame moves it, which blurs it a little
-constexpr float kNearness = 1.2f;      // a sample d large pixels away counts exp(-kNearness d^2) ...
-constexpr float kLeastCount = 0.03f;   // ... at least this
-constexpr float kSlack = 0.15f;        // of the range of colours around, beyond which nothing is believed
-constexpr float kFar = 1e4f;           // metres to the sky
+constexpr float kStillWeight = 10.0f;   // samples a mean goes over where nothing moves ...
+constexpr float kMovingWeight = 2.0f;   // ... and where each frame moves it, which blurs it a little
+constexpr float kNearness = 1.2f;       // a sample d large pixels away counts exp(-kNearness d^2) ...
+constexpr float kLeastCount = 0.03f;    // ... at least this
+constexpr float kSlack = 0.5f;          // of the range of colours around, beyond which nothing is believed
+constexpr float kSlides = 0.3f;         // large pixels a frame by which one thing slides along another
+constexpr float kSameDistance = 0.05f;  // of a distance from the eye
+constexpr float kFar = 1e4f;            // metres to the sky
 
 bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -86,6 +88,7 @@ void TemporalUpscaler::gather_row(const JitteredFrame& frame, int y) {
             was = frame.lens.eye + glm::normalize(way) * kFar;
             sample.distance = kFar;
         }
+        sample.was_distance = sample.part == kNoSurface ? kFar : glm::distance(before_.eye, was);
         sample.motion = has_history_
                             ? place_of(was, before_.eye, to_before, before_size_) - at / glm::vec2(size)
                             : glm::vec2(0.0f);
@@ -110,14 +113,61 @@ TemporalUpscaler::Kept TemporalUpscaler::kept_at(const glm::vec2& place) const {
     const Kept& nearest = kept(low.x + (share.x < 0.5f ? 0 : 1), low.y + (share.y < 0.5f ? 0 : 1));
     if (share == glm::vec2(0.0f)) return nearest;
     const std::array<float, 4> across = catmull_rom(share.x), down = catmull_rom(share.y);
-    Kept result{.color = glm::vec3(0.0f), .weight = nearest.weight, .part = nearest.part};
+    Kept result = nearest;
+    result.color = glm::vec3(0.0f);
     for (int y = 0; y < 4; ++y) {
         glm::vec3 row(0.0f);
         for (int x = 0; x < 4; ++x)
             row += kept(low.x + x - 1, low.y + y - 1).color * across[static_cast<std::size_t>(x)];
         result.color += row * down[static_cast<std::size_t>(y)];
     }
+    // Beside a bulb a sharp filter swings below nothing.
+    const glm::vec3 darkest =
+        glm::min(glm::min(kept(low.x, low.y).color, kept(low.x + 1, low.y).color),
+                 glm::min(kept(low.x, low.y + 1).color, kept(low.x + 1, low.y + 1).color));
+    result.color = glm::max(result.color, darkest * 0.5f);
     return result;
+}
+
+// Bilinear between those of the four samples around a place in the small picture that show what `nearest` shows.
+glm::vec3 TemporalUpscaler::smooth(const JitteredFrame& frame, const glm::vec2& place,
+                                   const Sample& nearest) const {
+    const int width = frame.radiance.width, height = frame.radiance.height;
+    const glm::vec2 at = glm::clamp(place - 0.5f, glm::vec2(0.0f), glm::vec2(width - 1, height - 1));
+    const glm::ivec2 low(glm::min(at, glm::vec2(std::max(0, width - 2), std::max(0, height - 2))));
+    const glm::vec2 share = at - glm::vec2(low);
+    glm::vec3 sum(0.0f);
+    float total = 0.0f;
+    for (int corner = 0; corner < 4; ++corner) {
+        const bool is_right = (corner & 1) != 0, is_below = (corner & 2) != 0;
+        const Sample& sample =
+            samples_[frame.radiance.index(std::min(low.x + (is_right ? 1 : 0), width - 1),
+                                          std::min(low.y + (is_below ? 1 : 0), height - 1))];
+        const float apart = std::abs(sample.distance - nearest.distance);
+        if (sample.part != nearest.part || apart > 2.0f * kSameDistance * nearest.distance) continue;
+        const float weight = (is_right ? share.x : 1.0f - share.x) * (is_below ? share.y : 1.0f - share.y);
+        sum += sample.color * weight;
+        total += weight;
+    }
+    return total > 0.0f ? sum / total : nearest.color;
+}
+
+// Whether what is kept can be what the sample shows. What stands still may be one part, so distance tells things apart.
+bool TemporalUpscaler::is_same(const Kept& kept, const Sample& sample) {
+    return kept.part == sample.part &&
+           std::abs(kept.distance - sample.was_distance) <= kSameDistance * sample.was_distance;
+}
+
+// At an edge now one side is seen, now the other: both are right unless one slides along the other.
+bool TemporalUpscaler::is_known(const Kept& kept, const std::array<const Sample*, 5>& around) const {
+    const Sample& nearest = *around[0];
+    if (is_same(kept, nearest)) return true;
+    const float parallax = parallax_ * std::abs(1.0f / kept.distance - 1.0f / nearest.was_distance);
+    if (kept.part == nearest.part && parallax < kSlides) return true;
+    return std::any_of(around.begin() + 1, around.end(), [&](const Sample* other) {
+        const glm::vec2 slides = (other->motion - nearest.motion) * glm::vec2(size_);
+        return is_same(kept, *other) && glm::dot(slides, slides) < kSlides * kSlides;
+    });
 }
 
 TemporalUpscaler::Kept TemporalUpscaler::renewed(const JitteredFrame& frame, int x, int y) const {
@@ -128,21 +178,18 @@ TemporalUpscaler::Kept TemporalUpscaler::renewed(const JitteredFrame& frame, int
     const int v = std::clamp(static_cast<int>(std::floor(small.y)), 0, height - 1);
     const Sample& nearest = samples_[frame.radiance.index(u, v)];
 
-    // Edges move with what is in front: of the five around, the one nearest to the eye tells the motion.
-    const Sample* front = &nearest;
-    const auto look = [&](int i, int j) {
-        if (i < 0 || j < 0 || i >= width || j >= height) return;
-        const Sample& other = samples_[frame.radiance.index(i, j)];
-        if (other.distance < front->distance) front = &other;
-    };
-    look(u - 1, v);
-    look(u + 1, v);
-    look(u, v - 1);
-    look(u, v + 1);
+    const std::array<const Sample*, 5> around = {
+        &nearest,  //
+        &samples_[frame.radiance.index(std::max(u - 1, 0), v)],
+        &samples_[frame.radiance.index(std::min(u + 1, width - 1), v)],
+        &samples_[frame.radiance.index(u, std::max(v - 1, 0))],
+        &samples_[frame.radiance.index(u, std::min(v + 1, height - 1))]};
 
-    Kept kept = has_history_ ? kept_at(place + front->motion) : Kept{};
+    const float moved = std::min(1.0f, 2.0f * glm::length(nearest.motion * glm::vec2(size_)));
+    Kept kept = has_history_ ? kept_at(place + nearest.motion) : Kept{};
     if (kept.weight > 0.0f) {
-        if (kept.part != nearest.part && kept.part != front->part) kept.weight = std::min(kept.weight, 1.0f);
+        if (!is_known(kept, around))
+            kept.weight = parallax_ < kSlides * nearest.distance ? std::min(kept.weight, 1.0f) : 0.0f;
         const glm::vec3 slack = (nearest.high - nearest.low) * kSlack;
         const glm::vec3 believed = glm::clamp(kept.color, nearest.low - slack, nearest.high + slack);
         // The further it had to be brought back, the less its past is worth.
@@ -156,19 +203,13 @@ TemporalUpscaler::Kept TemporalUpscaler::renewed(const JitteredFrame& frame, int
     float count = std::max(kLeastCount, std::exp(-kNearness * glm::dot(off, off)));
     if (kept.weight < 1.0f) {
         // Nothing to build on: a smooth picture first, which a better sample soon replaces.
-        const glm::vec2 at = glm::clamp(small - 0.5f, glm::vec2(0.0f), glm::vec2(width - 1, height - 1));
-        const glm::ivec2 low(glm::min(at, glm::vec2(std::max(0, width - 2), std::max(0, height - 2))));
-        const glm::vec2 share = at - glm::vec2(low);
-        const int right = std::min(low.x + 1, width - 1), below = std::min(low.y + 1, height - 1);
-        const auto color_at = [&](int i, int j) { return samples_[frame.radiance.index(i, j)].color; };
-        color = glm::mix(glm::mix(color_at(low.x, low.y), color_at(right, low.y), share.x),
-                         glm::mix(color_at(low.x, below), color_at(right, below), share.x), share.y);
+        color = smooth(frame, small, nearest);
         count = std::max(count, 0.2f);
     }
     const float total = kept.weight + count;
-    const float moved = std::min(1.0f, 2.0f * glm::length(front->motion * glm::vec2(size_)));
     const float most = kStillWeight + (kMovingWeight - kStillWeight) * moved;
-    return {kept.color + (color - kept.color) * (count / total), std::min(total, most), nearest.part};
+    return {kept.color + (color - kept.color) * (count / total), std::min(total, most), nearest.distance,
+            nearest.part};
 }
 
 void TemporalUpscaler::add(const JitteredFrame& frame, glm::ivec2 size, const Jobs& jobs, Image& out) {
@@ -193,6 +234,9 @@ void TemporalUpscaler::add(const JitteredFrame& frame, glm::ivec2 size, const Jo
         size_ = size;
     }
     next_.resize(kept_.size());
+    const float pixels_a_radian =
+        static_cast<float>(size.x) / static_cast<float>(frame.radiance.width) / glm::length(frame.lens.right);
+    parallax_ = has_history_ ? pixels_a_radian * glm::distance(frame.lens.eye, before_.eye) : 0.0f;
     samples_.resize(pixels);
     if (out.width != size.x || out.height != size.y) out = Image(size.x, size.y);
     jobs.run(static_cast<std::size_t>(frame.radiance.height),

@@ -21,6 +21,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -54,21 +55,30 @@ class TemporalUpscaler {
         glm::vec3 low{0.0f}, high{0.0f};  // of the nine around it
         glm::vec2 motion{0.0f};           // to where it was a frame ago, in widths and heights of the picture
         float distance = 0.0f;            // from the eye
+        float was_distance = 0.0f;        // from where the eye was, a frame ago
         std::uint32_t part = kNoSurface;
     };
     struct Kept {
         glm::vec3 color{0.0f};
-        float weight = 0.0f;  // of the samples in its mean; 0: none yet
+        float weight = 0.0f;    // of the samples in its mean; 0: none yet
+        float distance = 0.0f;  // from the eye
         std::uint32_t part = kNoSurface;
     };
     void gather_row(const JitteredFrame& frame, int y);
     [[nodiscard]] Kept kept_at(const glm::vec2& place) const;
+    [[nodiscard]] static bool is_same(const Kept& kept, const Sample& sample);
+    // `around`: the sample and the four beside it.
+    [[nodiscard]] bool is_known(const Kept& kept, const std::array<const Sample*, 5>& around) const;
+    [[nodiscard]] glm::vec3 smooth(const JitteredFrame& frame, const glm::vec2& place,
+                                   const Sample& nearest) const;
     [[nodiscard]] Kept renewed(const JitteredFrame& frame, int x, int y) const;
 
     bool has_history_ = false;
     Pinhole before_;  // the lens of the last frame
     glm::ivec2 before_size_{0};
     glm::ivec2 size_{0};
+    float parallax_ =
+        0.0f;  // how far something a metre away has moved across the picture, at most, in its pixels
     std::vector<Sample> samples_;
     std::vector<Kept> kept_, next_;
 };

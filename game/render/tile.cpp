@@ -127,7 +127,7 @@ void TileTracer::shade(PathRay path, const rc::Hit& hit, FrameStats& stats) {
     path.cone_width += path.cone_angle * hit.t;
     path.length += hit.t;
     const ShadingPoint at =
-        shading_point(frame_.view, path.ray, hit, path.cone_width,
+        shading_point(frame_.view, path.ray, hit, path.cone_width * frame_.settings.texture_blur,
                       path.is_leading ? frame_.settings.texture_taps
                                       : std::min(kGlimmerTaps, frame_.settings.texture_taps));
     if (const world::Material* glass = path.media.top(); glass != nullptr) {

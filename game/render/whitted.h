@@ -33,7 +33,9 @@ struct WhittedSettings {
     int ambient_samples = 1;           // short rays that darken corners, per sample; 0: none
     float min_weight = 1.0f / 256.0f;  // rays that would count less are not followed
     float texture_taps = 8.0f;         // at most, along the long side of a pixel's footprint
-    bool uses_ambient = true;          // the baked indirect light
+    // Of a pixel, what textures are blurred to: less than 1 for frames that are added up to a larger picture.
+    float texture_blur = 1.0f;
+    bool uses_ambient = true;  // the baked indirect light
     // Neighbours in a 4x4 block look at different parts of a lamp and share what they saw where the surface goes on
     // (interleaved sampling with a discontinuity buffer; Keller and Heidrich 2001). Off: every pixel for itself.
     bool shares_samples = true;
