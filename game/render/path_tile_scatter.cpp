@@ -51,6 +51,10 @@ void PathTile::ask_lamp(const Path& path, const Scatterer& here, bool is_last) {
                                             sequence(path).one(path.sample, dimension(path, kLampPurpose)),
                                             sequence(path).two(path.sample, dimension(path, kOnLampPurpose)));
     if (!light) return;
+    // What glows without being a lamp is in the bake that a path ends in, and must not be counted twice.
+    const bool is_baked = light->target_part != world::kNoIndex &&
+                          frame_.view.prepared.parts[light->target_part].lamp == world::kNoIndex;
+    if (is_last && is_baked) return;
     BsdfValue value = bsdf.value(light->direction);
     LobeValue& base = value[static_cast<std::size_t>(Lobe::Diffuse)];
     if (!here.guide.empty() && base.density > 0.0f)
