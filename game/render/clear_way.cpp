@@ -19,11 +19,6 @@ namespace {
 
 constexpr int kMostCrossings = 32;  // leaves and panes one behind the other; then it is dark
 
-rc::Ray onwards(const rc::Ray& ray, const rc::SurfacePoint& point) {
-    if (!(ray.t_max < rc::kInfinity)) return rc::spawn_ray(point, ray.direction);
-    return rc::spawn_ray_to(point, ray.origin + ray.direction * ray.t_max);
-}
-
 bool is_black(const glm::vec3& c) {
     return !(std::max({c.x, c.y, c.z}) > 0.0f);
 }

@@ -19,13 +19,12 @@ namespace {
 
 constexpr int kMostCrossings = 24;  // leaves and panes one behind the other; then it is dark
 
-// The ray that goes on behind a surface to where `ray` would end.
+}  // namespace
+
 rc::Ray onwards(const rc::Ray& ray, const rc::SurfacePoint& point) {
     if (!(ray.t_max < rc::kInfinity)) return rc::spawn_ray(point, ray.direction);
     return rc::spawn_ray_to(point, ray.origin + ray.direction * ray.t_max);
 }
-
-}  // namespace
 
 glm::vec3 absorbed(const world::Material& glass, float length) {
     if (!(glass.attenuation_distance < rc::kInfinity)) return glm::vec3(1.0f);

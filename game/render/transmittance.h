@@ -16,6 +16,9 @@
 
 namespace gh::render {
 
+// The ray that goes on behind a surface to where `ray` would end.
+[[nodiscard]] rc::Ray onwards(const rc::Ray& ray, const rc::SurfacePoint& point);
+
 // Along the whole ray; 0 as soon as something opaque is met.
 [[nodiscard]] glm::vec3 transmittance(const SceneView& view, const rc::Ray& ray);
 
