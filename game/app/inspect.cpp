@@ -28,6 +28,7 @@ constexpr std::array kHeld = {
     Held{"leaning right", input::LeanRight},
     Held{"using", input::Use},
     Held{"aiming a stone", input::Throw},
+    Held{"raising the mirror", input::HandMirror},
 };
 
 std::string describe_replay(const std::string& name, const input::Replay& replay) {

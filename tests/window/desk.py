@@ -1,0 +1,138 @@
+"""A virtual X server with one program on it, and a person's hands and eyes at it, for the tests of the window.
+
+Keys and mouse come from xdotool, pictures from ImageMagick's import; screenshots stay in the folder given, to be looked at.
+"""
+
+import os
+import subprocess
+import sys
+import time
+
+TIMEOUT_S = 60
+
+
+def fail(sentence):
+    print(f"FAILED: {sentence}")
+    sys.exit(1)
+
+
+def start_x_server():
+    """An X server on a display of its own choosing; returns (process, ':N')."""
+    read_end, write_end = os.pipe()
+    server = subprocess.Popen(
+        ["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1280x800x24", "-nolisten", "tcp"],
+        pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.close(write_end)
+    with os.fdopen(read_end) as pipe:
+        number = pipe.readline().strip()
+    if not number:
+        fail("Xvfb did not start")
+    return server, ":" + number
+
+
+class Desk:
+    """One display with one program on it."""
+
+    def __init__(self, program, out):
+        self.out = out
+        self.server, display = start_x_server()
+        home = os.path.join(out, "home")
+        self.env = dict(os.environ, DISPLAY=display, HOME=home, XDG_CONFIG_HOME=home + "/config",
+                        XDG_DATA_HOME=home + "/data", LIBGL_ALWAYS_SOFTWARE="1")
+        self.env.pop("WAYLAND_DISPLAY", None)
+        self.game = subprocess.Popen(program, env=self.env, stderr=subprocess.PIPE, text=True)
+        self.window = None
+
+    def xdotool(self, *words):
+        return subprocess.run(["xdotool", *words], env=self.env, capture_output=True, text=True)
+
+    def hold(self, key, seconds):
+        """A press that lasts longer than one slow frame."""
+        self.xdotool("keydown", key)
+        time.sleep(seconds)
+        self.xdotool("keyup", key)
+
+    def pointer_can_leave(self):
+        """Whether the pointer is the person's: a game that is played keeps it inside its window."""
+        self.xdotool("mousemove", "1100", "700")
+        time.sleep(1.0)
+        place = dict(line.split("=") for line in self.xdotool("getmouselocation", "--shell").stdout.split())
+        return (int(place["X"]), int(place["Y"])) == (1100, 700)
+
+    def wait_for_window(self):
+        deadline = time.monotonic() + TIMEOUT_S
+        while time.monotonic() < deadline:
+            if self.game.poll() is not None:
+                fail(f"the game ended with {self.game.returncode}: {self.game.stderr.read()}")
+            found = self.xdotool("search", "--name", "^Glasshouse").stdout.split()
+            if found:
+                self.window = found[0]
+                self.xdotool("windowfocus", self.window)
+                return
+            time.sleep(0.2)
+        fail("no window within a minute")
+
+    def screenshot(self, name):
+        path = os.path.join(self.out, name + ".png")
+        subprocess.run(["import", "-window", "root", path], env=self.env, check=True)
+        return path
+
+    def measure(self, path, *convert_words):
+        """The numbers that ImageMagick's convert prints for a picture."""
+        done = subprocess.run(["convert", path, *convert_words, "info:"], check=True, capture_output=True, text=True)
+        return [float(word) for word in done.stdout.split()]
+
+    def figures(self, path, crop=None):
+        """(mean, standard deviation) of the picture's luminance, 0..1."""
+        cut = ["-crop", crop, "+repage"] if crop else []
+        return self.measure(path, *cut, "-colorspace", "Gray", "-format", "%[fx:mean] %[fx:standard_deviation]")
+
+    def wait_until(self, name, look, is_wanted):
+        """Takes screenshots until `is_wanted(look(path))`; slow machines draw late. Returns (path, what was seen)."""
+        deadline = time.monotonic() + TIMEOUT_S
+        while True:
+            path = self.screenshot(name)
+            seen = look(path)
+            if is_wanted(seen):
+                return path, seen
+            if time.monotonic() > deadline:
+                fail(f"{name}: {seen} after a minute")
+            time.sleep(0.3)
+
+    def wait_for_picture(self, name):
+        """Until something is drawn that is neither black nor flat."""
+        path, (mean, deviation) = self.wait_until(name, self.figures, lambda seen: min(seen) > 0.01)
+        print(f"{name}: mean {mean:.4f}, deviation {deviation:.4f}")
+        return path
+
+    def quit_by_menu(self):
+        """Escape, then down to Quit: Resume, Restart, Quit."""
+        self.xdotool("key", "Escape")
+        time.sleep(1.0)
+        for key in ("Down", "Down", "space"):
+            self.hold(key, 0.4)
+            time.sleep(0.4)
+        try:
+            code = self.game.wait(TIMEOUT_S)
+        except subprocess.TimeoutExpired:
+            self.screenshot("still_open")
+            fail("the menu's Quit does not end the game")
+        if code != 0:
+            fail(f"the game ended with {code}: {self.game.stderr.read()}")
+
+    def close(self):
+        if self.game.poll() is None:
+            self.game.kill()
+        self.server.terminate()
+        self.server.wait()
+
+
+def ticks_spent(glasshouse, recording):
+    """What `inspect` says the player did in a recording, which has to verify first: {'walking': 120, ...}."""
+    verified = subprocess.run([glasshouse, "replay", recording, "--verify"], capture_output=True, text=True)
+    if verified.returncode != 0 or not verified.stdout.splitlines()[-1].startswith("verified "):
+        fail(f"the recording does not verify: {verified.stdout}{verified.stderr}")
+    print(verified.stdout.splitlines()[-1])
+    told = subprocess.run([glasshouse, "inspect", recording], capture_output=True, text=True).stdout
+    spent = told.split("ticks spent\n")[1].splitlines()
+    return {" ".join(line.split()[:-1]): int(line.split()[-1]) for line in spent}
