@@ -137,7 +137,7 @@ static HWY_INLINE void smooth_pixels(const AtrousRow& row, std::size_t x) {
 template <int kRadius>
 static void smooth_row(const AtrousRow& row) {
     const auto width = static_cast<std::size_t>(row.width);
-    const auto reach = static_cast<std::size_t>(kRadius * row.step);
+    const auto reach = static_cast<std::size_t>(kRadius) * static_cast<std::size_t>(row.step);
     for (std::size_t x = 0; x < width; x += lane_count()) {
         if (x >= reach && x + lane_count() + reach <= width) {
             smooth_pixels<kRadius, false>(row, x);

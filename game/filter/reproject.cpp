@@ -106,10 +106,12 @@ struct Wanted {
 
 static HWY_INLINE Lanes same_surface(const ReprojectRow& row, const TapPlace& place, int tap,
                                      const Wanted& wanted) {
-    const std::ptrdiff_t step = (tap / 2) * row.then_stride + tap % 2;
+    const int below = tap / 2;
+    const int right = tap % 2;
+    const std::ptrdiff_t step = below * row.then_stride + right;
     const GuideRows& guides = row.then_guides;
-    const Floats dx = hn::Sub(wanted.right, splat(static_cast<float>(tap % 2)));
-    const Floats dy = hn::Sub(wanted.below, splat(static_cast<float>(tap / 2)));
+    const Floats dx = hn::Sub(wanted.right, splat(static_cast<float>(right)));
+    const Floats dy = hn::Sub(wanted.below, splat(static_cast<float>(below)));
     const Floats foretold = hn::Add(read_tap(guides.nearness, place, step),
                                     hn::Add(hn::Mul(read_tap(guides.slope_x, place, step), dx),
                                             hn::Mul(read_tap(guides.slope_y, place, step), dy)));

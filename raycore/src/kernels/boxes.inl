@@ -106,6 +106,7 @@ static inline void prefetch(const Places& places, std::uint32_t item) {
     const std::uint64_t leaf = reinterpret_cast<std::uint64_t>(places.leaves) +
                                std::uint64_t{item & places.leaf_mask} * places.leaf_bytes;
     const std::uint64_t is_leaf = 0 - std::uint64_t{item >> 31};
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): an address that is asked for, never read through
     const char* at = reinterpret_cast<const char*>(node ^ ((node ^ leaf) & is_leaf));
     for (int line = 0; line < kLines; ++line) __builtin_prefetch(at + 64 * line);
 }

@@ -167,9 +167,15 @@ static inline void grow_to_point(GrowingBox& box, const Quad& p) {
     store_as<Quad>(box.max, p > high ? p : high);
 }
 
-// Grows pieces[first ... last] by what of the way from `a` to `b` lies in each slab, within the ref's own share of it.
-static inline void cut_edge(Quad a, Quad b, int axis, const BuildRef& ref, const SlabGrid& grid,
-                            std::int32_t first, std::int32_t last, GrowingBox* pieces) {
+struct SlabRun {
+    int axis;
+    std::int32_t first, last;  // both included
+};
+
+// Grows the run's pieces by what of the way from `a` to `b` lies in each slab, within the ref's own share of it.
+static inline void cut_edge(Quad a, Quad b, const BuildRef& ref, const SlabGrid& grid, SlabRun run,
+                            GrowingBox* pieces) {
+    const int axis = run.axis;
     if (a[axis] > b[axis]) {
         const Quad swap = a;
         a = b;
@@ -183,7 +189,7 @@ static inline void cut_edge(Quad a, Quad b, int axis, const BuildRef& ref, const
     const auto at = [&](float x) { return a + per_unit * quad_of(x - start); };
     const auto slab = [&](float x) {
         const std::int32_t k = std::int32_t((x - grid.origin[axis]) * grid.scale[axis]);
-        return k < first ? first : k > last ? last : k;
+        return k < run.first ? run.first : k > run.last ? run.last : k;
     };
     const Quad from = a[axis] < low ? at(low) : a, to = b[axis] > high ? at(high) : b;
     std::int32_t k = slab(from[axis]);
@@ -229,9 +235,10 @@ static void bin_pieces(const BuildRef* refs, std::uint64_t n, const MeshArrays& 
             for (std::int32_t k = f; k <= l; ++k) empty(pieces[k]);
             const std::uint32_t* t = mesh.triangles + 3 * std::uint64_t{ref.item};
             const Quad p = corner_of(mesh, t[0]), q = corner_of(mesh, t[1]), r = corner_of(mesh, t[2]);
-            cut_edge(p, q, a, ref, grid, f, l, pieces);
-            cut_edge(q, r, a, ref, grid, f, l, pieces);
-            cut_edge(r, p, a, ref, grid, f, l, pieces);
+            const SlabRun run{a, f, l};
+            cut_edge(p, q, ref, grid, run, pieces);
+            cut_edge(q, r, ref, grid, run, pieces);
+            cut_edge(r, p, ref, grid, run, pieces);
             for (std::int32_t k = f; k <= l; ++k) {
                 const Oct piece = load_as<Oct>(&pieces[k]);
                 grow(bins.boxes[k][a], piece < box ? piece : box);

@@ -12,9 +12,8 @@ inline constexpr int kLeastInInstance = 8;  // of those, rays that meet an insta
 // Opens nodes from `root` down for a packet whose boxes are aimed, nearest first. at_leaf(parent, lane, item) may
 // shorten rays and beam.
 template <bool kIsTlas, class AtLeaf>
-static inline void walk_beam(const WideNode* nodes, const float* leaves, std::uint32_t root,
-                             const PacketRays& rays, std::uint32_t layers, Counts& counts,
-                             const AtLeaf& at_leaf) {
+static inline void walk_beam(const Places& places, std::uint32_t root, const PacketRays& rays,
+                             std::uint32_t layers, Counts& counts, const AtLeaf& at_leaf) {
     struct Entry {
         std::uint32_t node;
         std::int32_t lane;
@@ -24,14 +23,14 @@ static inline void walk_beam(const WideNode* nodes, const float* leaves, std::ui
     int top = 0;
     std::uint32_t item = root;
     for (;;) {
-        const WideNode& node = nodes[item];
+        const WideNode& node = places.nodes[item];
         ++counts.nodes;
         alignas(32) float near[kWidth];
         std::uint32_t met = meet_beam(node, rays, near);
         if constexpr (kIsTlas) met &= common_bits(load(node.layers), layers);
         for (const int base = top; met != 0; met &= met - 1) {
             const int lane = __builtin_ctz(met);
-            if constexpr (!kIsTlas) prefetch<4>(places_of_blas(nodes, leaves), node.child[lane]);
+            if constexpr (!kIsTlas) prefetch<4>(places, node.child[lane]);
             int i = top++;  // insertion, farthest first
             for (; i > base && stack[i - 1].near < near[lane]; --i) stack[i] = stack[i - 1];
             stack[i] = {item, lane, near[lane]};
@@ -43,8 +42,9 @@ static inline void walk_beam(const WideNode* nodes, const float* leaves, std::ui
                 item = kEmptyTree;
                 continue;
             }
-            item = nodes[entry.node].child[entry.lane];
-            if (item & kLeafBit) at_leaf(nodes[entry.node], entry.lane, item);
+            const WideNode& parent = places.nodes[entry.node];
+            item = parent.child[entry.lane];
+            if (item & kLeafBit) at_leaf(parent, entry.lane, item);
         } while (item & kLeafBit);
     }
 }
@@ -62,7 +62,7 @@ struct InstancePacket {
         const auto at_leaf = [&](const WideNode& parent, int lane, std::uint32_t item) {
             test_leaf(parent, lane, leaf_at(blas.leaves, item), counts);
         };
-        walk_beam<false>(blas.nodes, blas.leaves, blas.root, rays, 0, counts, at_leaf);
+        walk_beam<false>(places_of_blas(blas.nodes, blas.leaves), blas.root, rays, 0, counts, at_leaf);
     }
 
   private:
@@ -85,7 +85,7 @@ struct InstancePacket {
 
     bool test_triangle(const Leaf& leaf, std::uint32_t triangle, int group, std::uint32_t asked) {
         Meetings m;
-        meet_triangle(leaf.rows, leaf.count, triangle, rays, group, asked, m);
+        meet_triangle(leaf, triangle, rays, group, asked, m);
         if (m.met == 0) return false;
         const int at = kWidth * group;
         std::uint32_t primitive;
@@ -162,7 +162,7 @@ class Packet {
                 met |= std::uint64_t{meet_box(parent, lane, rays_, group)} << (kWidth * group);
             if (met != 0) meet_instance(item & ~kLeafBit, met);
         };
-        walk_beam<true>(scene_.nodes, nullptr, scene_.root, rays_, layers_, counts_, at_leaf);
+        walk_beam<true>(places_of_scene(scene_), scene_.root, rays_, layers_, counts_, at_leaf);
     }
 
     void meet_instance(std::uint32_t id, std::uint64_t met) {
@@ -263,10 +263,10 @@ static void ask_packets(const SceneView& scene, const RayIn* rays, std::uint64_t
         if (!may_run_together(rays + first, size)) continue;
         Packet<Lanes, Answers> packet(scene, rays, layers, counts);
         if (!packet.ask(first, int(size), answers)) continue;
-        ask_stream<typename Lanes::Alone>(scene, rays, waiting, first, layers, answers, counts);
+        add(counts, ask_stream<typename Lanes::Alone>(scene, rays, waiting, first, layers, answers));
         waiting = first + size;
     }
-    ask_stream<typename Lanes::Alone>(scene, rays, waiting, n, layers, answers, counts);
+    add(counts, ask_stream<typename Lanes::Alone>(scene, rays, waiting, n, layers, answers));
 }
 
 }  // namespace

@@ -203,18 +203,18 @@ static inline std::uint32_t meet_box(const WideNode& node, int lane, const Packe
 }
 
 // Rays of a group against one triangle. m.met is 0 where none is met, and then nothing else means anything.
-static inline void meet_triangle(const float* rows, std::uint32_t count, std::uint32_t triangle,
-                                 const PacketRays& rays, int group, std::uint32_t asked, Meetings& m) {
+static inline void meet_triangle(const Leaf& leaf, std::uint32_t triangle, const PacketRays& rays, int group,
+                                 std::uint32_t asked, Meetings& m) {
     const int at = kWidth * group;
     const Float ox = load(rays.origin[rays.kx] + at), oy = load(rays.origin[rays.ky] + at),
                 oz = load(rays.origin[rays.kz] + at);
     const Float sx = load(rays.shear_x + at), sy = load(rays.shear_y + at);
     Corners c;
     for (std::uint32_t i = 0; i < 3; ++i) {
-        const float* corner = rows + 3 * i * count + triangle;
-        c.z[i] = splat(corner[std::uint32_t(rays.kz) * count]) - oz;
-        c.x[i] = (splat(corner[std::uint32_t(rays.kx) * count]) - ox) - sx * c.z[i];
-        c.y[i] = (splat(corner[std::uint32_t(rays.ky) * count]) - oy) - sy * c.z[i];
+        const float* corner = leaf.rows + 3 * i * leaf.count + triangle;
+        c.z[i] = splat(corner[std::uint32_t(rays.kz) * leaf.count]) - oz;
+        c.x[i] = (splat(corner[std::uint32_t(rays.kx) * leaf.count]) - ox) - sx * c.z[i];
+        c.y[i] = (splat(corner[std::uint32_t(rays.ky) * leaf.count]) - oy) - sy * c.z[i];
     }
     m.met = maybe_bits(c) & asked;
     if (m.met != 0) decide(c, load(rays.direction[rays.kz] + at), m.met, m);

@@ -177,14 +177,18 @@ class Stream {
     Walker<Sink> walkers_[kInFlight];
 };
 
-template <class Sink, class Answers>
-static void ask_stream(const SceneView& scene, const RayIn* rays, std::uint64_t begin, std::uint64_t end,
-                       std::uint32_t layers, const Answers& answers, Counts& counts) {
-    if (begin == end) return;
-    const Counts added = Stream<Sink, Answers>(scene, rays, begin, end, layers, answers).run();
+static inline void add(Counts& counts, const Counts& added) {
     counts.instances += added.instances;
     counts.nodes += added.nodes;
     counts.leaves += added.leaves;
+}
+
+// What it cost to answer rays [begin, end) of the batch.
+template <class Sink, class Answers>
+static Counts ask_stream(const SceneView& scene, const RayIn* rays, std::uint64_t begin, std::uint64_t end,
+                         std::uint32_t layers, const Answers& answers) {
+    if (begin == end) return {};
+    return Stream<Sink, Answers>(scene, rays, begin, end, layers, answers).run();
 }
 
 }  // namespace

@@ -9,7 +9,8 @@ static inline std::uint32_t open_top(const SceneView& scene, const WideNode& nod
                                      const BoxRay& box, Stack& stack, int& top) {
     const Entrances e = enter_boxes(node, box);
     const std::uint32_t met = less_equal_bits(e.enter, e.leave) & common_bits(load(node.layers), layers);
-    return next_item<Sink>(places_of_scene(scene), node, e, met, box.s_max, stack, top);
+    if (met == 0) return pop(stack, top, box.s_max);
+    return next_child<Sink>(places_of_scene(scene), node, e, met, stack, top);
 }
 
 // A ray's walk over the top-level tree: the instances it may meet, the nearest boxes first.

@@ -199,11 +199,10 @@ static inline std::uint32_t likeliest_child(const Places& places, const WideNode
     return node.child[first];
 }
 
-// What comes after a node of which the children `met` are met.
+// Which of a node's children `met`, of which there is one at least, comes next; the others go onto the stack.
 template <class Sink>
-static inline std::uint32_t next_item(const Places& places, const WideNode& node, const Entrances& e,
-                                      std::uint32_t met, float s_max, Stack& stack, int& top) {
-    if (met == 0) return pop(stack, top, s_max);
+static inline std::uint32_t next_child(const Places& places, const WideNode& node, const Entrances& e,
+                                       std::uint32_t met, Stack& stack, int& top) {
     if constexpr (Sink::kIsAny) return likeliest_child(places, node, e, met, stack, top);
     alignas(32) float near[kWidth];
     store(near, e.enter);
@@ -222,8 +221,9 @@ static bool walk_tree(InstanceRay& local, Sink& sink, Counts& counts) {
             ++counts.nodes;
             const Entrances e = enter_boxes(node, local.box);
             const std::uint32_t met = less_equal_bits(e.enter, e.leave);
-            item = next_item<Sink>(places_of_blas(local.nodes, local.leaves), node, e, met, local.box.s_max,
-                                   stack, top);
+            item = met == 0 ? pop(stack, top, local.box.s_max)
+                            : next_child<Sink>(places_of_blas(local.nodes, local.leaves), node, e, met, stack,
+                                               top);
         }
         if (item == kEmptyTree) return false;
         ++counts.leaves;
