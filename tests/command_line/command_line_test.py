@@ -1,6 +1,6 @@
 """The program as scripts and people meet it.
 
-    command_line_test.py GLASSHOUSE SOURCE_FOLDER OUT_FOLDER
+    command_line_test.py GLASSHOUSE SOURCE_FOLDER OUT_FOLDER ALTER_RECORDING
 """
 
 import hashlib
@@ -13,7 +13,7 @@ import sys
 import wave
 import zlib
 
-GLASSHOUSE, SOURCE, OUT = sys.argv[1:4]
+GLASSHOUSE, SOURCE, OUT, ALTER_RECORDING = sys.argv[1:5]
 ASSETS = os.path.join(SOURCE, "assets")
 failures = 0
 
@@ -136,6 +136,21 @@ def recordings():
     check("the same sound again", digest(os.path.join(OUT, "again.wav")) == first)
 
 
+def untrue_recordings():
+    caught = os.path.join(ASSETS, "replays", "foyer_caught.rec")
+    turned = os.path.join(OUT, "turned.rec")
+    subprocess.run([ALTER_RECORDING, caught, turned, "yaw", "90"], check=True)
+    done = run("replay", turned, "--verify")
+    last = done.stderr.strip().splitlines()[-1]
+    check("a recording that diverges exits with 3", done.returncode == 3, f"{done.returncode} {done.stderr[-300:]}")
+    check("file, tick and room are named where it parts", all(word in last for word in ("turned.rec", "tick 90 ", "player")), last)
+    check("and nothing is said to be verified", "verified" not in done.stdout, done.stdout)
+
+    newer = os.path.join(OUT, "newer.rec")
+    subprocess.run([ALTER_RECORDING, caught, newer, "version"], check=True)
+    refuses("replay", newer, "--verify", naming="newer.rec")
+
+
 def broken_levels():
     with open(os.path.join(ASSETS, "levels", "foyer.glb"), "rb") as file:
         whole = file.read()
@@ -167,6 +182,7 @@ def main():
     check("inspect tells of a level", done.returncode == 0 and "triangles" in done.stdout and "guard" in done.stdout, done.stderr + done.stdout)
     pictures()
     recordings()
+    untrue_recordings()
     broken_levels()
     print("all claims hold" if failures == 0 else f"{failures} claims failed")
     sys.exit(1 if failures else 0)
