@@ -18,6 +18,9 @@ namespace gh::filter::HWY_NAMESPACE {
 constexpr float kNearnessTolerance = 0.01f;       // off the plane, as a share of the nearness
 constexpr float kNormalTolerance = 0.906307787f;  // cosine of 25 degrees
 constexpr float kLeastWeight = 0.01f;             // of four taps together: less is mere chance
+// The same two where nothing better is known: a thin thing's next pixel may face elsewhere and yet be lit alike.
+constexpr float kLooseNearness = 0.05f;
+constexpr float kLooseNormal = 0.5f;
 // Of a pixel. Rounding noise about a whole pixel would else blur a little and tear neighbours apart.
 constexpr float kPlaceSteps = 256.0f;
 
@@ -100,6 +103,7 @@ static HWY_INLINE Then find_place(const ReprojectRow& row, std::size_t x) {
 struct Wanted {
     Vector normal;
     Floats nearness, tolerance;
+    Floats least_cosine;
     Ints part;
     Floats right, below;  // the surface's point seen from the first tap, in pixels
 };
@@ -120,7 +124,43 @@ static HWY_INLINE Lanes same_surface(const ReprojectRow& row, const TapPlace& pl
             read_tap(guides.normal[2], place, step), wanted.normal.x, wanted.normal.y, wanted.normal.z);
     const Lanes same_part = hn::RebindMask(F(), hn::Eq(read_tap(row.then_part, place, step), wanted.part));
     const Lanes same_plane = hn::Le(hn::Abs(hn::Sub(foretold, wanted.nearness)), wanted.tolerance);
-    return hn::And(same_part, hn::And(same_plane, hn::Ge(cosine, splat(kNormalTolerance))));
+    return hn::And(same_part, hn::And(same_plane, hn::Ge(cosine, wanted.least_cosine)));
+}
+
+// For `lost` pixels, whose four taps showed other things: the nearest of the nine pixels around that showed this one.
+static void ask_around(const ReprojectRow& row, std::size_t x, const Then& then, const Wanted& wanted,
+                       Lanes lost) {
+    static constexpr int kAround[9][2] = {{0, 0}, {1, 0},  {0, 1},  {-1, 0}, {0, -1},
+                                          {1, 1}, {-1, 1}, {1, -1}, {-1, -1}};
+    const Floats zero = hn::Zero(F());
+    const Floats half = splat(0.5f);
+    const Floats column = zero_unless(lost, hn::Floor(hn::Add(then.x, half)));
+    const Floats line = zero_unless(lost, hn::Floor(hn::Add(then.y, half)));
+    const Ints stride = hn::Set(I(), static_cast<std::int32_t>(row.then_stride));
+    for (const auto& [dx, dy] : kAround) {
+        const Floats u = hn::Add(column, splat(static_cast<float>(dx)));
+        const Floats v = hn::Add(line, splat(static_cast<float>(dy)));
+        const Lanes in =
+            hn::And(hn::And(hn::Ge(u, zero), hn::Lt(u, splat(static_cast<float>(row.then_width)))),
+                    hn::And(hn::Ge(v, zero), hn::Lt(v, splat(static_cast<float>(row.then_height)))));
+        const Lanes asks = hn::And(lost, in);
+        if (hn::AllFalse(F(), asks)) continue;
+        const Ints at = hn::Add(hn::Mul(hn::ConvertTo(I(), zero_unless(asks, v)), stride),
+                                hn::ConvertTo(I(), zero_unless(asks, u)));
+        const TapPlace place = place_of(at, asks);
+        Wanted there = wanted;
+        there.tolerance = hn::Mul(hn::Abs(wanted.nearness), splat(kLooseNearness));
+        there.least_cosine = splat(kLooseNormal);
+        there.right = hn::Sub(then.surface.x, u);
+        there.below = hn::Sub(then.surface.y, v);
+        const Lanes found = hn::And(asks, same_surface(row, place, 0, there));
+        if (hn::AllFalse(F(), found)) continue;
+        store(choose(found, splat(1.0f), load(row.weight[0] + x)), row.weight[0] + x);
+        const auto chosen = hn::RebindMask(I(), found);
+        hn::StoreU(hn::IfThenElse(chosen, at, hn::LoadU(I(), row.first + x)), I(), row.first + x);
+        lost = hn::AndNot(found, lost);
+        if (hn::AllFalse(F(), lost)) return;
+    }
 }
 
 static void weigh_taps(const ReprojectRow& row, std::size_t x, const Then& then) {
@@ -148,6 +188,7 @@ static void weigh_taps(const ReprojectRow& row, std::size_t x, const Then& then)
     wanted.normal = load3(row.normal, x);
     wanted.nearness = then.surface.nearness;
     wanted.tolerance = hn::Mul(hn::Abs(wanted.nearness), splat(kNearnessTolerance));
+    wanted.least_cosine = splat(kNormalTolerance);
     wanted.part = hn::LoadU(I(), reinterpret_cast<const std::int32_t*>(row.part) + x);
     wanted.right = hn::Sub(then.surface.x, left);
     wanted.below = hn::Sub(then.surface.y, top);
@@ -170,6 +211,8 @@ static void weigh_taps(const ReprojectRow& row, std::size_t x, const Then& then)
     const Floats share = zero_unless(hn::Ge(sum, splat(kLeastWeight)), hn::Div(one, sum));
     for (int tap = 0; tap < 4; ++tap) store(hn::Mul(weight[tap], share), row.weight[tap] + x);
     hn::StoreU(place.first, I(), row.first + x);
+    const Lanes lost = hn::And(usable, hn::Lt(sum, splat(kLeastWeight)));
+    if (!hn::AllFalse(F(), lost)) ask_around(row, x, then, wanted, lost);
 }
 
 static void reproject_row(const ReprojectRow& row) {

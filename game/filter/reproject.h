@@ -3,8 +3,9 @@
 // The point a pixel shaded is carried to where it was (GBuffer::previous) and looked up in the last frame's picture.
 // Each of the four pixels around that place is asked whether it showed the same surface: same part, normal within
 // 25 degrees, and nearness as its plane foretells for that very point, to a hundredth; those that did share the weight,
-// bilinearly. With none the pixel was not seen before: it is disoccluded. (Schied et al. 2017, section 4.1; Yang, Liu and
-// Salvi 2020, section 4.)
+// bilinearly. With none the nearest of the nine pixels around that showed about the same surface stands in: where samples
+// jitter, an edge shows now one side and now the other, and thin things come and go. With none of those either the pixel
+// was not seen before: it is disoccluded. (Schied et al. 2017, section 4.1; Yang, Liu and Salvi 2020, section 4.)
 //
 // Motion is measured from the point itself, not from the pixel's centre, and rounded to 1/256 pixel: with nothing moving
 // the weights are exactly 1, 0, 0, 0, however the renderer jitters. The picture may change its size between frames;
