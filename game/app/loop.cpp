@@ -166,11 +166,11 @@ void Loop::draw() {
         view_.resize(size.x, size.y);
         if (!seen_before_ || seen_before_->state.tick > now->state.tick) view_.forget();
         const render::SceneView scene{*session_.level, *now, *session_.prepared, seen_before_.get()};
+        const glm::ivec2 shown = resolution_.shown_size(size, window_.framebuffer_size());
         if (traces_paths_) {
-            view_.expose_next(scene, camera, frame_, *session_.jobs);
+            view_.expose_next(scene, camera, frame_, shown, *session_.jobs);
         } else {
-            view_.expose_next(scene, camera, kWindowSettings, frame_,
-                              resolution_.shown_size(size, window_.framebuffer_size()), *session_.jobs);
+            view_.expose_next(scene, camera, kWindowSettings, frame_, shown, *session_.jobs);
         }
         seen_before_ = now;
         frame_watch_.enter("filter");

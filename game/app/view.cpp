@@ -116,15 +116,11 @@ void View::expose_next(const render::SceneView& scene, const render::Camera& cam
     settings.jitter = filter::halton_jitter(frame);
     settings.notes_things = true;
     expose(scene, camera, settings, frame, jobs);
-    const render::Lens lens(camera, film_.radiance.width, film_.radiance.height);
-    const filter::JitteredFrame next{
-        .radiance = film_.radiance,
-        .lens = {.eye = lens.position(), .corner = lens.corner(), .right = lens.right(), .down = lens.down()},
-        .jitter = settings.jitter,
-        .part = film_.planes.part,
-        .position = film_.planes.position,
-        .previous = film_.planes.previous};
-    upscaler_.add(next, shown, jobs, added_up_);
+    add_up(camera, settings.jitter, shown, jobs);
+}
+
+void View::add_up(const render::Camera& camera, glm::vec2 jitter, glm::ivec2 shown, const Jobs& jobs) {
+    upscaler_.add(jittered_frame(film_, camera, jitter), shown, jobs, added_up_);
     is_added_up_ = true;
 }
 
@@ -140,10 +136,12 @@ void View::expose(const render::SceneView& scene, const render::Camera& camera,
 }
 
 void View::expose_next(const render::SceneView& scene, const render::Camera& camera, std::uint32_t frame,
-                       const Jobs& jobs) {
+                       glm::ivec2 shown, const Jobs& jobs) {
     render::PathSettings settings = render::realtime_path();
     if (exposure_ > 0.0f) settings.most_indirect = kClamp / exposure_;
+    settings.jitter = filter::halton_jitter(frame);
     expose(scene, camera, settings, frame, jobs);
+    add_up(camera, settings.jitter, shown, jobs);
 }
 
 const Image8& View::develop(std::uint32_t frame, float seconds, float stops, const Jobs& jobs) {

@@ -59,9 +59,10 @@ class View {
     // By path tracing. Denoised if it fills planes.
     void expose(const render::SceneView& scene, const render::Camera& camera,
                 const render::PathSettings& settings, std::uint32_t frame, const Jobs& jobs);
-    // The next of many by path tracing, as fast and as clean as it can be: one sample a pixel, denoised over the frames.
+    // The next of many by path tracing, as fast and as clean as it can be: one sample a pixel, denoised over the frames
+    // and added up to `shown` pixels.
     void expose_next(const render::SceneView& scene, const render::Camera& camera, std::uint32_t frame,
-                     const Jobs& jobs);
+                     glm::ivec2 shown, const Jobs& jobs);
     void forget() {
         upscaler_.forget();
         denoiser_.forget();
@@ -79,6 +80,7 @@ class View {
     [[nodiscard]] const Image8& picture() const { return picture_; }
 
   private:
+    void add_up(const render::Camera& camera, glm::vec2 jitter, glm::ivec2 shown, const Jobs& jobs);
     [[nodiscard]] const Image& radiance() const { return is_added_up_ ? added_up_ : film_.radiance; }
 
     render::Film film_;

@@ -23,6 +23,7 @@ constexpr float kSlack = 0.5f;          // of the range of colours around, beyon
 constexpr float kSlides = 0.3f;         // large pixels a frame by which one thing slides along another
 constexpr float kSameDistance = 0.05f;  // of a distance from the eye
 constexpr float kFar = 1e4f;            // metres to the sky
+constexpr float kStays = 1e-4f;         // of a distance from the eye: rounding moves things by less
 
 bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -88,6 +89,8 @@ void TemporalUpscaler::gather_row(const JitteredFrame& frame, int y) {
             was = frame.lens.eye + glm::normalize(way) * kFar;
             sample.distance = kFar;
         }
+        sample.stays =
+            sample.part == kNoSurface || glm::distance(was, frame.position[i]) < kStays * sample.distance;
         sample.was_distance = sample.part == kNoSurface ? kFar : glm::distance(before_.eye, was);
         sample.motion = has_history_
                             ? place_of(was, before_.eye, to_before, before_size_) - at / glm::vec2(size)
@@ -163,7 +166,7 @@ bool TemporalUpscaler::is_known(const Kept& kept, const std::array<const Sample*
     const Sample& nearest = *around[0];
     if (is_same(kept, nearest)) return true;
     const float parallax = parallax_ * std::abs(1.0f / kept.distance - 1.0f / nearest.was_distance);
-    if (kept.part == nearest.part && parallax < kSlides) return true;
+    if ((kept.part == nearest.part || (kept.stays && nearest.stays)) && parallax < kSlides) return true;
     return std::any_of(around.begin() + 1, around.end(), [&](const Sample* other) {
         const glm::vec2 slides = (other->motion - nearest.motion) * glm::vec2(size_);
         return is_same(kept, *other) && glm::dot(slides, slides) < kSlides * kSlides;
@@ -209,7 +212,7 @@ TemporalUpscaler::Kept TemporalUpscaler::renewed(const JitteredFrame& frame, int
     const float total = kept.weight + count;
     const float most = kStillWeight + (kMovingWeight - kStillWeight) * moved;
     return {kept.color + (color - kept.color) * (count / total), std::min(total, most), nearest.distance,
-            nearest.part};
+            nearest.part, nearest.stays};
 }
 
 void TemporalUpscaler::add(const JitteredFrame& frame, glm::ivec2 size, const Jobs& jobs, Image& out) {

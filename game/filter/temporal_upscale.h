@@ -56,6 +56,7 @@ class TemporalUpscaler {
         glm::vec2 motion{0.0f};           // to where it was a frame ago, in widths and heights of the picture
         float distance = 0.0f;            // from the eye
         float was_distance = 0.0f;        // from where the eye was, a frame ago
+        bool stays = true;                // in the world; only the eye moves
         std::uint32_t part = kNoSurface;
     };
     struct Kept {
@@ -63,6 +64,7 @@ class TemporalUpscaler {
         float weight = 0.0f;    // of the samples in its mean; 0: none yet
         float distance = 0.0f;  // from the eye
         std::uint32_t part = kNoSurface;
+        bool stays = true;
     };
     void gather_row(const JitteredFrame& frame, int y);
     [[nodiscard]] Kept kept_at(const glm::vec2& place) const;

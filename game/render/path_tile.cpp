@@ -67,7 +67,8 @@ void PathTile::add_eye_paths(std::uint32_t first_sample, std::uint32_t count) {
             Path path;
             path.sample = sample;
             path.pixel = static_cast<std::uint16_t>(i);
-            const glm::vec2 at = frame_.settings.jitters ? sequence(path).two(sample, 0) : glm::vec2(0.5f);
+            const glm::vec2 at =
+                frame_.settings.jitters ? sequence(path).two(sample, 0) : frame_.settings.jitter + 0.5f;
             path.ray = frame_.lens.ray(
                 glm::vec2(static_cast<float>(x_ + i % columns_), static_cast<float>(y_ + i / columns_)) + at);
             path.start = path.ray.origin;

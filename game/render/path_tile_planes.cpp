@@ -42,7 +42,7 @@ void PathTile::note_surface(const Path& path, const ShadingPoint& at, const rc::
     if (path.depth + path.passes > 0) {
         const glm::vec3 point(x_ + path.pixel % columns_, y_ + path.pixel / columns_, 0.0f);
         const glm::vec2 within =
-            frame_.settings.jitters ? sequence(path).two(path.sample, 0) : glm::vec2(0.5f);
+            frame_.settings.jitters ? sequence(path).two(path.sample, 0) : frame_.settings.jitter + 0.5f;
         const glm::vec3 way = frame_.lens.ray(glm::vec2(point.x, point.y) + within).direction;
         const float length = unfolding.length + glm::distance(path.ray.origin, at.surface.position);
         position = frame_.lens.position() + way * length;

@@ -12,6 +12,7 @@ PathSettings realtime_path() {
     settings.max_depth = 8;
     settings.ends_in_bake = true;
     settings.sampler = SampleKind::BlueNoise;
+    settings.jitters = false;  // frames are added up: each lies elsewhere in its pixels
     settings.caustics = Caustics::Unbent;
     settings.splits_glass = true;
     settings.fills_planes = true;

@@ -23,6 +23,8 @@
 
 #include "raycore/ray.h"
 
+#include <glm/vec2.hpp>
+
 #include <cstdint>
 
 namespace gh::render {
@@ -48,7 +50,9 @@ struct PathSettings {
     bool seeks_gleams =
         true;  // sends some paths to the insides of lamp shades (gleams.h): less noise, no bias
     bool uses_roulette = true;  // ends faint paths by chance, the others count for them
-    bool jitters = true;        // spreads samples over the pixel; otherwise all go through its middle
+    bool jitters = true;        // spreads samples over the pixel; otherwise all go through its middle ...
+    glm::vec2 jitter{
+        0.0f};  // ... or so far from it, in pixels: frames that are added up choose it by themselves
     // Whether the eye's path is split in two at smooth glass, so that each pixel's surfaces do not depend on chance.
     bool splits_glass = false;
     bool fills_planes = false;  // of the film, for filters

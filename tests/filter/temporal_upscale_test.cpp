@@ -100,6 +100,30 @@ TEST(TemporalUpscale, AStillPictureSharpensIntoTheLargeOne) {
     EXPECT_LT(error(out, wanted), 0.5 * first);
 }
 
+// Bars in front of a wall, each a thing of its own: a pixel at their edges shows now one and now the other. While neither
+// the eye nor the bars move both belong to the picture, and the edge stands as still as a painted one.
+TEST(TemporalUpscale, AnEdgeBetweenThingsThatStandStillStandsStill) {
+    const Jobs jobs(1);
+    const glm::ivec2 size(kWidth, kHeight);
+    double change[2] = {0.0, 0.0};
+    for (const bool are_apart : {false, true}) {
+        filter::TemporalUpscaler upscaler;
+        Image out, before;
+        for (std::uint32_t i = 0; i < 64; ++i) {
+            Shot shot = shoot(bars, glm::vec2(0.0f), i);
+            for (std::size_t k = 0; k < shot.position.size() && are_apart; ++k) {
+                if (shot.radiance.pixels[k].x < 0.5f) continue;
+                shot.part[k] = 8;
+                shot.position[k] = shot.lens.eye + 0.5f * (shot.position[k] - shot.lens.eye);
+            }
+            before = out;
+            upscaler.add(shot.frame(), size, jobs, out);
+            if (i >= 32) change[are_apart ? 1 : 0] += error(out, before);
+        }
+    }
+    EXPECT_LT(change[1], 1.01 * change[0]) << "of the picture from frame to frame";
+}
+
 TEST(TemporalUpscale, WhatMovesUnderTheCameraIsCarriedAlong) {
     filter::TemporalUpscaler upscaler;
     const Jobs jobs(1);

@@ -90,16 +90,7 @@ std::function<Run()> upscaled_run(const WhittedSettings& settings) {
             const double start = core_ms();
             whitted_frame(shot, jittered, small);
             const double rendered = core_ms();
-            const gh::render::Lens lens(shot.camera, small.radiance.width, small.radiance.height);
-            memory->upscaler.add({.radiance = small.radiance,
-                                  .lens = {.eye = lens.position(),
-                                           .corner = lens.corner(),
-                                           .right = lens.right(),
-                                           .down = lens.down()},
-                                  .jitter = jittered.jitter,
-                                  .part = small.planes.part,
-                                  .position = small.planes.position,
-                                  .previous = small.planes.previous},
+            memory->upscaler.add(gh::app::jittered_frame(small, shot.camera, jittered.jitter),
                                  {width, height}, shot.jobs, film.radiance);
             film.stats = small.stats;
             return StageTimes{.render_ms = rendered - start, .filter_ms = core_ms() - rendered};
@@ -107,16 +98,26 @@ std::function<Run()> upscaled_run(const WhittedSettings& settings) {
     };
 }
 
+// As the game shows it: denoised, and the pictures added up, here to the size they have.
 std::function<Run()> denoised_run(const PathSettings& settings) {
+    struct Memory {
+        gh::app::FilmDenoiser denoiser;
+        gh::filter::TemporalUpscaler upscaler;
+        gh::Image added_up;
+    };
     return [settings] {
-        return
-            [settings, denoiser = std::make_shared<gh::app::FilmDenoiser>()](const Shot& shot, Film& film) {
-                const double start = core_ms();
-                path_frame(shot, settings, film);
-                const double rendered = core_ms();
-                denoiser->denoise(film, shot.jobs);
-                return StageTimes{.render_ms = rendered - start, .filter_ms = core_ms() - rendered};
-            };
+        return [settings, memory = std::make_shared<Memory>()](const Shot& shot, Film& film) {
+            PathSettings jittered = settings;
+            jittered.jitter = gh::filter::halton_jitter(shot.frame);
+            const double start = core_ms();
+            path_frame(shot, jittered, film);
+            const double rendered = core_ms();
+            memory->denoiser.denoise(film, shot.jobs);
+            memory->upscaler.add(gh::app::jittered_frame(film, shot.camera, jittered.jitter),
+                                 {film.radiance.width, film.radiance.height}, shot.jobs, memory->added_up);
+            std::swap(film.radiance, memory->added_up);
+            return StageTimes{.render_ms = rendered - start, .filter_ms = core_ms() - rendered};
+        };
     };
 }
 
@@ -127,6 +128,7 @@ constexpr const char* kRealTime = "real time";
 PathSettings unfiltered_real_time() {
     PathSettings settings = gh::render::realtime_path();
     settings.fills_planes = false;
+    settings.jitters = true;
     return settings;
 }
 
