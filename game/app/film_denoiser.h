@@ -25,6 +25,7 @@ class FilmDenoiser {
     void forget() { denoiser_.forget(); }
     // Replaces film.radiance. Precondition: film.planes are filled.
     void denoise(render::Film& film, const Jobs& jobs, const filter::DenoiseSettings& settings = {});
+    [[nodiscard]] const filter::Denoiser& denoiser() const { return denoiser_; }
 
   private:
     filter::Denoiser denoiser_;

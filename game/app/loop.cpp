@@ -1,5 +1,6 @@
 #include "app/loop.h"
 
+#include "app/quality.h"
 #include "app/settings.h"
 #include "present/hud.h"
 #include "present/profiler.h"
@@ -16,8 +17,6 @@ namespace gh::app {
 namespace {
 
 constexpr int kMostTicksAPicture = 6;
-constexpr render::WhittedSettings kWindowSettings{
-    .texture_taps = 4.0f, .texture_blur = 0.5f, .is_adaptive = true};  // shown at twice the size
 constexpr const char* kPhaseNames[sim::kPhaseCount] = {"decide", "doors",  "motion",   "stones",
                                                        "noise",  "commit", "perceive", "judge"};
 
@@ -99,9 +98,17 @@ void Loop::handle_keys() {
     const input::ProgramKeys keys = devices_.program_keys();
     if (keys.menu) set_paused(!is_paused_);
     if (keys.profiler) shows_profiler_ = !shows_profiler_;
+    if (keys.next_plane) show_next_plane();
     if (keys.fullscreen) window_.toggle_fullscreen();
     // A player who has gone to another window is not playing; losing the focus has already freed the cursor.
     if (!is_paused_ && !window_.is_cursor_captured() && !is_watching()) set_paused(true);
+}
+
+// Planes are what path tracing leaves, whatever traces the picture itself.
+void Loop::show_next_plane() {
+    const bool traced = traces_paths_ || plane_ != PlaneView::Picture;
+    plane_ = next_of(plane_);
+    if (traced != (traces_paths_ || plane_ != PlaneView::Picture)) view_.forget();
 }
 
 void Loop::set_paused(bool is_paused) {
@@ -155,7 +162,18 @@ void Loop::run_tick() {
     if (sound_) sound_->note_tick(*session_.level, *now);
 }
 
+void Loop::expose(const render::SceneView& scene, const render::Camera& camera, glm::ivec2 shown) {
+    const Quality quality = quality_of(settings_.quality);
+    if (traces_paths_ || plane_ != PlaneView::Picture) {
+        view_.expose_next(scene, camera, quality.path, frame_, shown, *session_.jobs);
+    } else {
+        view_.expose_next(scene, camera, quality.whitted, frame_, shown, *session_.jobs);
+    }
+}
+
 void Loop::draw() {
+    const Quality quality = quality_of(settings_.quality);
+    resolution_.bound(quality.fewest_pixels, quality.most_pixels);
     const glm::ivec2 size = resolution_.size_for(window_.framebuffer_size());
     const std::shared_ptr<const world::Snapshot> now = session_.simulation->snapshot();
     const render::Camera camera = player_camera(now->state.player);
@@ -166,15 +184,11 @@ void Loop::draw() {
         view_.resize(size.x, size.y);
         if (!seen_before_ || seen_before_->state.tick > now->state.tick) view_.forget();
         const render::SceneView scene{*session_.level, *now, *session_.prepared, seen_before_.get()};
-        const glm::ivec2 shown = resolution_.shown_size(size, window_.framebuffer_size());
-        if (traces_paths_) {
-            view_.expose_next(scene, camera, frame_, shown, *session_.jobs);
-        } else {
-            view_.expose_next(scene, camera, kWindowSettings, frame_, shown, *session_.jobs);
-        }
+        expose(scene, camera, resolution_.shown_size(size, window_.framebuffer_size()));
         seen_before_ = now;
         frame_watch_.enter("filter");
         view_.develop(frame_, picture_seconds_, settings_.brightness, *session_.jobs);
+        if (plane_ != PlaneView::Picture) view_.develop_plane(plane_, *session_.jobs);
         const float ticks_ms = tick_watch_.round_ms() * settings_.frames_a_second / 60.0f;
         resolution_.note_frame(milliseconds_since(start) + ticks_ms, 1000.0f / settings_.frames_a_second);
         picture_seconds_ = 0.0f;
@@ -192,6 +206,7 @@ void Loop::draw_ui(const render::Camera& camera) {
     const glm::vec2 shown = window_.picture_size();
     present::draw_hud(window_,
                       hud_.model(*session_.level, *now, camera, shown.x / shown.y, settings_.shows_captions));
+    if (plane_ != PlaneView::Picture) present::draw_title(window_, words_of(plane_));
     if (shows_profiler_) {
         present::ProfileModel model = profile_model(frame_watch_, tick_watch_, view_.film().stats);
         const glm::ivec2 window_size = window_.framebuffer_size();

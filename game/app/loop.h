@@ -29,15 +29,19 @@ class Loop {
 
     // Pictures by path tracing from now on.
     void trace_paths() { traces_paths_ = true; }
+    // Instead of what was saved.
+    void use_quality(present::QualityName quality) { settings_.quality = quality; }
     // Until the player quits. An error is a recording that can no longer be written.
     [[nodiscard]] Result<void> run(const std::filesystem::path& record_to);
 
   private:
     void handle_keys();
     void set_paused(bool is_paused);
+    void show_next_plane();
     void advance_time();
     void run_tick();
     void draw();
+    void expose(const render::SceneView& scene, const render::Camera& camera, glm::ivec2 shown);
     void draw_ui(const render::Camera& camera);
     void obey(present::MenuAction action);
     Result<void> begin_recording(const std::filesystem::path& path);
@@ -67,6 +71,7 @@ class Loop {
     std::shared_ptr<const world::Snapshot> seen_before_;  // in the last picture
     std::uint32_t frame_ = 0;
     std::uint32_t seed_ = 0;
+    PlaneView plane_ = PlaneView::Picture;
     bool traces_paths_ = false;
     bool is_paused_ = false;
     bool shows_profiler_ = false;

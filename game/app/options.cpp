@@ -1,5 +1,7 @@
 #include "app/options.h"
 
+#include "present/menu.h"
+
 #include <CLI/CLI.hpp>
 
 #include <charconv>
@@ -37,6 +39,14 @@ void add_size(CLI::App& command, Size& size) {
             },
             "picture size in pixels")
         ->type_name("WxH");
+}
+
+void add_quality(CLI::App& command, std::string& quality) {
+    command
+        .add_option("--quality", quality, "of the window: low, medium, high, ultra; otherwise as in the menu")
+        ->check(CLI::IsMember(
+            std::vector<std::string>(present::kQualityWords.begin(), present::kQualityWords.end())))
+        ->type_name("NAME");
 }
 
 void add_machine(CLI::App& command, MachineOptions& machine) {
@@ -96,6 +106,7 @@ void add_replay(CLI::App& replay, ReplayOptions& o) {
     replay.add_flag("--verify", o.verifies,
                     "compare every tick's state with the recorded hash; exit 3 where they part");
     replay.add_flag("--window", o.opens_window, "watch it in a window");
+    add_quality(replay, o.quality);
     replay.add_option("--frames", o.frames, "write pictures into this folder")->type_name("DIR");
     replay.add_option("--every", o.every, "one picture every N ticks")
         ->check(CLI::Range(1, 1'000'000))
@@ -143,6 +154,7 @@ std::variant<Options, int> parse_options(int argc, char** argv) {
                    "how light is computed: path is slower, noisier and more true")
         ->check(CLI::IsMember({"whitted", "path"}))
         ->capture_default_str();
+    add_quality(app, play.quality);
     app.add_flag("--fullscreen", play.is_fullscreen, "take the whole screen");
     add_size(app, play.size);
     add_machine(app, play.machine);

@@ -41,6 +41,7 @@ struct PlayOptions {
     std::filesystem::path record;  // empty: a name made from the date
     Size size;
     std::string renderer = "whitted";
+    std::string quality;  // low, medium, high or ultra; empty: as in the menu
     bool is_fullscreen = false;
     MachineOptions machine;
 };
@@ -49,6 +50,7 @@ struct ReplayOptions {
     std::filesystem::path file;
     bool verifies = false;
     bool opens_window = false;
+    std::string quality;           // of the window, as in PlayOptions
     std::filesystem::path frames;  // folder; empty: no pictures
     int every = 1;                 // ticks a picture
     Size size{640, 360};

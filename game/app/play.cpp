@@ -2,6 +2,7 @@
 #include "app/assets.h"
 #include "app/commands.h"
 #include "app/loop.h"
+#include "app/quality.h"
 
 #include <iostream>
 
@@ -26,6 +27,7 @@ int play(const PlayOptions& options) {
     const std::filesystem::path record = options.record.empty() ? fresh_recording_path(name) : options.record;
     Loop loop(*session, *window, name);
     if (options.renderer == "path") loop.trace_paths();
+    if (const auto quality = quality_named(options.quality)) loop.use_quality(*quality);
     if (const auto done = loop.run(record); !done) return refuse(done.error());
     std::cerr << "recorded in " << record.string() << '\n';
     return kExitFine;

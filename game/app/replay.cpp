@@ -3,6 +3,7 @@
 #include "app/commands.h"
 #include "app/film_strip.h"
 #include "app/loop.h"
+#include "app/quality.h"
 #include "base/progress.h"
 #include "record/wav.h"
 #include "world/state_hash.h"
@@ -119,6 +120,7 @@ int run_in_window(const ReplayOptions& options, const input::Replay& replay, Ses
     session.prepare_pictures();
     Loop loop(session, *window, replay.header.level_name, replay.commands);
     if (options.renderer.renderer == "path") loop.trace_paths();
+    if (const auto quality = quality_named(options.quality)) loop.use_quality(*quality);
     if (const auto done = loop.run({}); !done) return refuse(done.error());
     return kExitFine;
 }

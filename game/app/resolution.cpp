@@ -1,5 +1,7 @@
 #include "app/resolution.h"
 
+#include "base/contracts.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,15 +9,18 @@ namespace gh::app {
 
 namespace {
 
-constexpr float kFewestPixels =
-    240.0f * 135.0f;  // with fewer a room can not be read; then rather fewer frames
-constexpr float kMostPixels = 3840.0f * 2160.0f;
-
 int multiple_of_8(float length) {
     return std::max(8, static_cast<int>(length / 8.0f + 0.5f) * 8);
 }
 
 }  // namespace
+
+void Resolution::bound(float fewest_pixels, float most_pixels) {
+    EXPECTS(0.0f < fewest_pixels && fewest_pixels <= most_pixels);
+    fewest_pixels_ = fewest_pixels;
+    most_pixels_ = most_pixels;
+    pixels_ = std::clamp(pixels_, fewest_pixels_, most_pixels_);
+}
 
 void Resolution::note_frame(float render_ms, float wanted_ms) {
     if (!(render_ms > 0.0f) || !(wanted_ms > 0.0f)) return;
@@ -23,8 +28,9 @@ void Resolution::note_frame(float render_ms, float wanted_ms) {
     const float ratio = wanted_ms / smoothed_ms_;
     if (std::abs(ratio - 1.0f) < 0.1f) return;
     const float step = std::clamp(ratio, 0.75f, 1.25f);
-    pixels_ = std::clamp(pixels_ * step, kFewestPixels, kMostPixels);
-    smoothed_ms_ *= step;  // the next picture is expected to take that much
+    const float before = pixels_;
+    pixels_ = std::clamp(pixels_ * step, fewest_pixels_, most_pixels_);
+    smoothed_ms_ *= pixels_ / before;  // the next picture is expected to take that much
 }
 
 glm::ivec2 Resolution::size_for(glm::ivec2 framebuffer) const {

@@ -1,5 +1,6 @@
 #include "app/settings.h"
 
+#include "app/quality.h"
 #include "base/file.h"
 
 #include <nlohmann/json.hpp>
@@ -34,6 +35,12 @@ void read(const json& from, const char* key, bool& value) {
     if (found != from.end() && found->is_boolean()) value = found->get<bool>();
 }
 
+void read(const json& from, const char* key, present::QualityName& value) {
+    const auto found = from.find(key);
+    if (found == from.end() || !found->is_string()) return;
+    value = quality_named(found->get<std::string>()).value_or(value);
+}
+
 json parsed_file(const fs::path& path) {
     const auto bytes = read_file(path, kMaxSettingsBytes);
     if (!bytes) return json::object();
@@ -58,6 +65,7 @@ present::MenuSettings load_settings(const fs::path& path) {
     read(from, "volume", 0.0f, 1.0f, settings.volume);
     read(from, "brightness", -2.0f, 2.0f, settings.brightness);
     read(from, "frames_a_second", 10.0f, 60.0f, settings.frames_a_second);
+    read(from, "quality", settings.quality);
     read(from, "inverts_y", settings.inverts_y);
     read(from, "toggles_crouch", settings.toggles_crouch);
     read(from, "shows_captions", settings.shows_captions);
@@ -70,6 +78,7 @@ Result<void> save_settings(const fs::path& path, const present::MenuSettings& se
     to["volume"] = settings.volume;
     to["brightness"] = settings.brightness;
     to["frames_a_second"] = settings.frames_a_second;
+    to["quality"] = present::kQualityWords[static_cast<std::size_t>(settings.quality)];
     to["inverts_y"] = settings.inverts_y;
     to["toggles_crouch"] = settings.toggles_crouch;
     to["shows_captions"] = settings.shows_captions;

@@ -129,15 +129,17 @@ void View::expose(const render::SceneView& scene, const render::Camera& camera,
     render::render_path(scene, camera, settings, frame, jobs, film_);
     is_added_up_ = false;
     if (!settings.fills_planes) return;
+    lens_before_ = lens_;
+    lens_ = {film_.planes.eye, film_.planes.corner, film_.planes.right, film_.planes.down};
     filter::DenoiseSettings filtering;
     // A firefly is what stands out and is brighter than four times white.
     filtering.mend.floor = std::min(filtering.mend.floor, 4.0f / kClamp * settings.most_indirect);
     denoiser_.denoise(film_, jobs, filtering);
 }
 
-void View::expose_next(const render::SceneView& scene, const render::Camera& camera, std::uint32_t frame,
-                       glm::ivec2 shown, const Jobs& jobs) {
-    render::PathSettings settings = render::realtime_path();
+void View::expose_next(const render::SceneView& scene, const render::Camera& camera,
+                       render::PathSettings settings, std::uint32_t frame, glm::ivec2 shown,
+                       const Jobs& jobs) {
     if (exposure_ > 0.0f) settings.most_indirect = kClamp / exposure_;
     settings.jitter = filter::halton_jitter(frame);
     expose(scene, camera, settings, frame, jobs);
@@ -147,6 +149,13 @@ void View::expose_next(const render::SceneView& scene, const render::Camera& cam
 const Image8& View::develop(std::uint32_t frame, float seconds, float stops, const Jobs& jobs) {
     adapt(seconds);
     return develop_at(exposure_, frame, stops, jobs);
+}
+
+const Image8& View::develop_plane(PlaneView plane, const Jobs& jobs) {
+    const filter::Denoiser& denoiser = denoiser_.denoiser();
+    paint_plane(plane, {film_.planes, denoiser.variance(), denoiser.history_length(), lens_before_},
+                exposure_, jobs, picture_);
+    return picture_;
 }
 
 void View::adapt(float seconds) {

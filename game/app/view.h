@@ -3,6 +3,7 @@
 
 #include "app/film_denoiser.h"
 #include "app/options.h"
+#include "app/plane_view.h"
 #include "base/image.h"
 #include "base/jobs.h"
 #include "base/result.h"
@@ -61,8 +62,8 @@ class View {
                 const render::PathSettings& settings, std::uint32_t frame, const Jobs& jobs);
     // The next of many by path tracing, as fast and as clean as it can be: one sample a pixel, denoised over the frames
     // and added up to `shown` pixels.
-    void expose_next(const render::SceneView& scene, const render::Camera& camera, std::uint32_t frame,
-                     glm::ivec2 shown, const Jobs& jobs);
+    void expose_next(const render::SceneView& scene, const render::Camera& camera,
+                     render::PathSettings settings, std::uint32_t frame, glm::ivec2 shown, const Jobs& jobs);
     void forget() {
         upscaler_.forget();
         denoiser_.forget();
@@ -71,7 +72,10 @@ class View {
     // brightens.
     const Image8& develop(std::uint32_t frame, float seconds, float stops, const Jobs& jobs);
 
-    // The two halves of that: the eye adapts to the film; the film as it looks to an eye of this exposure.
+    // Instead of the picture, one of the planes that path tracing left beside it.
+    const Image8& develop_plane(PlaneView plane, const Jobs& jobs);
+
+    // The two halves of develop(): the eye adapts to the film; the film as it looks to an eye of this exposure.
     void adapt(float seconds);
     const Image8& develop_at(float exposure, std::uint32_t frame, float stops, const Jobs& jobs);
     [[nodiscard]] float exposure() const { return exposure_; }
@@ -88,6 +92,7 @@ class View {
     Image added_up_;
     bool is_added_up_ = false;  // the last picture is there, not in the film
     FilmDenoiser denoiser_;
+    filter::Pinhole lens_, lens_before_;  // of the last two path-traced pictures
     Image8 picture_;
     float exposure_ = 0.0f;  // 0: none yet
 };

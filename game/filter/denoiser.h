@@ -47,6 +47,8 @@ class Denoiser {
 
     // Samples in the mean of each pixel's direct light, for views of what the filter does.
     [[nodiscard]] const Plane& history_length() const { return direct_.mean.length; }
+    // Of that mean, as an estimate.
+    [[nodiscard]] const Plane& variance() const { return direct_.variance; }
 
   private:
     // One of the lights through the frames.

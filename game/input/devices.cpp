@@ -86,9 +86,10 @@ void Devices::read_gamepad(Command& command) {
 
 ProgramKeys Devices::program_keys() {
     const auto is_down = [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS; };
-    const ProgramKeys now{is_down(GLFW_KEY_ESCAPE), is_down(GLFW_KEY_F3), is_down(GLFW_KEY_F11)};
+    const ProgramKeys now{is_down(GLFW_KEY_ESCAPE), is_down(GLFW_KEY_F3), is_down(GLFW_KEY_F4),
+                          is_down(GLFW_KEY_F11)};
     const ProgramKeys pressed{now.menu && !held_.menu, now.profiler && !held_.profiler,
-                              now.fullscreen && !held_.fullscreen};
+                              now.next_plane && !held_.next_plane, now.fullscreen && !held_.fullscreen};
     held_ = now;
     return pressed;
 }

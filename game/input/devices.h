@@ -19,6 +19,7 @@ struct DeviceSettings {
 struct ProgramKeys {
     bool menu = false;        // Esc
     bool profiler = false;    // F3
+    bool next_plane = false;  // F4
     bool fullscreen = false;  // F11
 };
 

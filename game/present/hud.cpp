@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 namespace gh::present {
 
@@ -78,7 +79,8 @@ void draw_stance(const Canvas& canvas, const HudModel& model) {
     text(canvas, text_font(), 15.0f, right, faded(kIvory, model.stones_left > 0 ? 0.75f : 0.35f), stones,
          0.0f);
     if (model.has_mirror) {
-        const ImVec2 under = canvas.at(canvas.size.x * 0.5f + 112.0f * canvas.unit, canvas.size.y - 36.0f * canvas.unit);
+        const ImVec2 under =
+            canvas.at(canvas.size.x * 0.5f + 112.0f * canvas.unit, canvas.size.y - 36.0f * canvas.unit);
         text(canvas, text_font(), 15.0f, under, faded(kIvory, 0.75f), "F  hand mirror", 0.0f);
     }
     if (model.lenses_total == 0) return;
@@ -172,20 +174,35 @@ void draw_words(const Canvas& canvas, const HudModel& model) {
     text(canvas, text_font(), 18.0f, canvas.at(middle, canvas.size.y * 0.52f), kIvory, model.subline, 0.5f);
 }
 
+// Over the picture; none while the window has no area.
+std::optional<Canvas> canvas_of(const Window& window) {
+    // ImGui counts in screen units, the window in pixels.
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    if (scale.x <= 0.0f || scale.y <= 0.0f) return std::nullopt;
+    const ImVec2 origin(window.picture_offset().x / scale.x, window.picture_offset().y / scale.y);
+    const ImVec2 size(window.picture_size().x / scale.x, window.picture_size().y / scale.y);
+    return Canvas{ImGui::GetBackgroundDrawList(), origin, size, size.y / 720.0f};
+}
+
 }  // namespace
 
 void draw_hud(const Window& window, const HudModel& model) {
-    // ImGui counts in screen units, the window in pixels.
-    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-    if (scale.x <= 0.0f || scale.y <= 0.0f) return;
-    const ImVec2 origin(window.picture_offset().x / scale.x, window.picture_offset().y / scale.y);
-    const ImVec2 size(window.picture_size().x / scale.x, window.picture_size().y / scale.y);
-    const Canvas canvas{ImGui::GetBackgroundDrawList(), origin, size, size.y / 720.0f};
-    draw_aim(canvas, model);
-    draw_guards(canvas, model);
-    draw_gem(canvas, model);
-    draw_stance(canvas, model);
-    draw_words(canvas, model);
+    const std::optional<Canvas> canvas = canvas_of(window);
+    if (!canvas) return;
+    draw_aim(*canvas, model);
+    draw_guards(*canvas, model);
+    draw_gem(*canvas, model);
+    draw_stance(*canvas, model);
+    draw_words(*canvas, model);
+}
+
+void draw_title(const Window& window, const std::string& words) {
+    const std::optional<Canvas> canvas = canvas_of(window);
+    if (!canvas) return;
+    const float u = canvas->unit;
+    canvas->list->AddRectFilled(canvas->at(0.0f, 0.0f), canvas->at(canvas->size.x, 30.0f * u), kNight);
+    text(*canvas, text_font(), 18.0f, canvas->at(canvas->size.x * 0.5f, 5.0f * u), kIvory, "F4: " + words,
+         0.5f);
 }
 
 void Captions::add(Caption caption) {

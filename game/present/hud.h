@@ -53,6 +53,9 @@ struct HudModel {
 // Between Window::begin_frame and end_frame.
 void draw_hud(const Window& window, const HudModel& model);
 
+// A line at the top of the picture: what is shown instead of it.
+void draw_title(const Window& window, const std::string& words);
+
 // "Door creaks", newest last; at most six that are younger than four seconds stay.
 class Captions {
   public:

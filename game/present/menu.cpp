@@ -26,7 +26,8 @@ constexpr std::array kControls = {
     Control{"Left mouse or G", "hold to aim a stone, let go to throw"},
     Control{"Right mouse", "put the stone back"},
     Control{"Backspace", "back to the checkpoint"},
-    Control{"F3 / F11 / Esc", "profiler / full screen / this menu"},
+    Control{"F3 / F4", "profiler / what the path tracer sees, plane by plane"},
+    Control{"F11 / Esc", "full screen / this menu"},
 };
 
 bool wide_button(const char* label) {
@@ -39,6 +40,9 @@ void draw_settings(MenuSettings& settings) {
     ImGui::SliderFloat("volume", &settings.volume, 0.0f, 1.0f, "%.2f");
     ImGui::SliderFloat("brightness", &settings.brightness, -2.0f, 2.0f, "%+.1f stops");
     ImGui::SliderFloat("frames a second", &settings.frames_a_second, 10.0f, 60.0f, "%.0f");
+    int quality = static_cast<int>(settings.quality);
+    if (ImGui::Combo("quality", &quality, kQualityWords.data(), static_cast<int>(kQualityWords.size())))
+        settings.quality = static_cast<QualityName>(quality);
     ImGui::PopItemWidth();
     ImGui::Checkbox("invert the mouse's up and down", &settings.inverts_y);
     ImGui::Checkbox("crouch stays until pressed again", &settings.toggles_crouch);

@@ -1,15 +1,21 @@
 // present/menu.h - the title and pause menus.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
 
 namespace gh::present {
+
+enum class QualityName : std::uint8_t { Low, Medium, High, Ultra };
+inline constexpr std::array kQualityWords = {"low", "medium", "high", "ultra"};
 
 struct MenuSettings {
     float mouse_sensitivity = 1.0f;
     float volume = 0.8f;            // 0..1
     float brightness = 0.0f;        // stops
     float frames_a_second = 24.0f;  // what the resolution is traded for
+    QualityName quality = QualityName::Medium;
     bool inverts_y = false;
     bool toggles_crouch = false;
     bool shows_captions = true;

@@ -26,6 +26,7 @@ void FilmPlanes::resize(int width, int height) {
     for (std::vector<glm::vec3>* plane : {&normal, &albedo}) plane->assign(count, glm::vec3(0.0f));
     roughness.assign(count, 1.0f);
     reflected.assign(count, 0.0f);
+    rays.assign(count, 0.0f);
 }
 
 }  // namespace gh::render

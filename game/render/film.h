@@ -46,6 +46,7 @@ struct FilmPlanes {
     std::vector<glm::vec3> albedo;
     std::vector<float> roughness;
     std::vector<float> reflected;
+    std::vector<float> rays;                  // traced for the pixel, shadow rays among them
     Image direct, indirect, specular, clean;  // they sum to the picture
 
     void resize_surfaces(std::size_t pixels);  // the first four

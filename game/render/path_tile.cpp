@@ -80,7 +80,10 @@ void PathTile::add_eye_paths(std::uint32_t first_sample, std::uint32_t count) {
 
 void PathTile::trace_generation(FrameStats& stats) {
     rays_.clear();
-    for (const Path& path : now_) rays_.push_back(path.ray);
+    for (const Path& path : now_) {
+        rays_.push_back(path.ray);
+        note_ray(path.pixel);
+    }
     hits_.resize(rays_.size());
     rc::closest_hits(*frame_.view.snapshot.scene, rays_, world::Light, hits_);
     for (std::size_t i = 0; i < now_.size(); ++i) {
@@ -101,6 +104,8 @@ void PathTile::trace_shadows(FrameStats& stats) {
     rc::any_hits(scene, shadow_rays_, frame_.view.prepared.blocking_layers, is_blocked_);
     const bool may_look_through = frame_.view.prepared.has_clear_parts;
     const bool is_split = frame_.view.prepared.blocking_layers == world::Blocker;
+    for (const Shadow& shadow : shadows_) note_ray(shadow.pixel);
+    for (const Shadow& target : targets_) note_ray(target.pixel);
     for (std::size_t i = 0; i < shadows_.size(); ++i) {
         rc::Hit first;
         if (may_look_through && (is_split ? is_blocked_[i] == 0 : is_blocked_[i] != 0)) {

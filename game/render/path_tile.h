@@ -124,6 +124,7 @@ class PathTile {
     // path_tile_planes.cpp
     void begin_planes();
     void note_mirror(const Path& path, const ShadingPoint& at, bool passes);
+    void note_ray(std::uint16_t pixel);
     void note_surface(const Path& path, const ShadingPoint& at, const rc::Hit& hit, const Bsdf& bsdf);
     void note_reflection(const Path& path, float t);
     [[nodiscard]] glm::vec3 position_before(const ShadingPoint& at, const rc::Hit& hit) const;

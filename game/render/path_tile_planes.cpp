@@ -13,6 +13,10 @@ void PathTile::begin_planes() {
     unfolding_.assign(static_cast<std::size_t>(columns_ * rows_), {});
 }
 
+void PathTile::note_ray(std::uint16_t pixel) {
+    if (frame_.settings.fills_planes) film_->planes.rays[film_index(pixel)] += 1.0f;
+}
+
 // Something in the way of the eye that turns it.
 void PathTile::note_mirror(const Path& path, const ShadingPoint& at, bool passes) {
     Unfolding& unfolding = unfolding_[path.pixel];

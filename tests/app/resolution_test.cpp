@@ -38,6 +38,26 @@ TEST(Resolution, KeepsTheShapeAndNeverExceedsTheWindow) {
     EXPECT_NEAR(static_cast<double>(least.x) / least.y, 16.0 / 9.0, 0.1);
 }
 
+// A slow machine at high quality shows fewer frames, a fast one at low quality does not draw more than was asked for;
+// and what was asked for last holds at once.
+TEST(Resolution, StaysWithinTheBoundsOfTheQualityThatWasChosen) {
+    const glm::ivec2 framebuffer(1280, 720);
+    const auto pixels = [&](const Resolution& resolution) {
+        const glm::ivec2 size = resolution.size_for(framebuffer);
+        return static_cast<float>(size.x * size.y);
+    };
+    const float rounding = 1.05f;  // sides are multiples of 8
+    Resolution resolution;
+    resolution.bound(400.0f * 225.0f, 640.0f * 360.0f);
+    EXPECT_GE(pixels(resolution) * rounding, 400.0f * 225.0f);
+    for (int i = 0; i < 100; ++i) resolution.note_frame(500.0f, 33.3f);
+    EXPECT_GE(pixels(resolution) * rounding, 400.0f * 225.0f);
+    for (int i = 0; i < 100; ++i) resolution.note_frame(1.0f, 33.3f);
+    EXPECT_LE(pixels(resolution), 640.0f * 360.0f * rounding);
+    resolution.bound(192.0f * 108.0f, 320.0f * 180.0f);
+    EXPECT_LE(pixels(resolution), 320.0f * 180.0f * rounding);
+}
+
 TEST(Resolution, IgnoresTimesThatAreNone) {
     Resolution resolution;
     const float before = resolution.pixels();

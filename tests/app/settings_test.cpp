@@ -22,12 +22,14 @@ TEST_F(Settings, ComeBackAsTheyWereSaved) {
     present::MenuSettings saved;
     saved.mouse_sensitivity = 2.25f;
     saved.volume = 0.125f;
+    saved.quality = present::QualityName::Ultra;
     saved.inverts_y = true;
     saved.shows_captions = false;
     ASSERT_TRUE(save_settings(file_, saved));
     const present::MenuSettings loaded = load_settings(file_);
     EXPECT_EQ(loaded.mouse_sensitivity, 2.25f);
     EXPECT_EQ(loaded.volume, 0.125f);
+    EXPECT_EQ(loaded.quality, present::QualityName::Ultra);
     EXPECT_TRUE(loaded.inverts_y);
     EXPECT_FALSE(loaded.shows_captions);
     EXPECT_FALSE(loaded.toggles_crouch);
@@ -36,11 +38,12 @@ TEST_F(Settings, ComeBackAsTheyWereSaved) {
 TEST_F(Settings, DamagedOrMissingFilesGiveTheDefaults) {
     const present::MenuSettings defaults;
     EXPECT_EQ(load_settings(file_).volume, defaults.volume);
-    for (const char* text :
-         {"", "{", "[1,2]", "null", "{\"volume\": \"loud\", \"inverts_y\": 3}", "\xFF\xFE"}) {
+    for (const char* text : {"", "{", "[1,2]", "null",
+                             "{\"volume\": \"loud\", \"inverts_y\": 3, \"quality\": \"best\"}", "\xFF\xFE"}) {
         ASSERT_TRUE(write_file_atomically(file_, std::string_view(text)));
         EXPECT_EQ(load_settings(file_).volume, defaults.volume) << text;
         EXPECT_FALSE(load_settings(file_).inverts_y) << text;
+        EXPECT_EQ(load_settings(file_).quality, defaults.quality) << text;
     }
 }
 
