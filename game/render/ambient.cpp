@@ -13,7 +13,8 @@ namespace gh::render {
 namespace {
 
 // Looked up a little before the surface: the very wall one stands on must not count as what hides a point.
-constexpr float kNormalBias = 0.2f;  // of a cell
+constexpr float kNormalBias = 0.2f;    // of a cell
+constexpr float kHiddenShare = 1e-3f;  // of its weight, that a point keeps though it is hidden
 
 }  // namespace
 
@@ -47,18 +48,13 @@ GridWeights AmbientBake::weights(const glm::vec3& position, const glm::vec3& nor
                   .spacing = {grid.spacing.x, grid.spacing.y, grid.spacing.z},
                   .normal = {normal.x, normal.y, normal.z}},
                  result.weight.data());
-    float total = 0.0f, plain_total = 0.0f;
+    // Where every point is hidden a rough answer is better than none; it comes in by degrees, without a line on the wall.
+    float total = 0.0f;
     for (std::size_t i = 0; i < 8; ++i) {
+        result.weight[i] += kHiddenShare * plain[i];
         total += result.weight[i];
-        plain_total += plain[i];
     }
-    // Where every point is hidden a rough answer is better than none.
-    const bool is_hidden = !(total > 1e-4f * plain_total);
-    const float sum = is_hidden ? plain_total : total;
-    for (std::size_t i = 0; i < 8; ++i) {
-        const float weight = is_hidden ? plain[i] : result.weight[i];
-        result.weight[i] = sum > 0.0f ? weight / sum : 0.0f;
-    }
+    for (float& weight : result.weight) weight = total > 0.0f ? weight / total : 0.0f;
     return result;
 }
 

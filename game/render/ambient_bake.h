@@ -9,8 +9,9 @@
 namespace gh::render {
 
 struct BakeSettings {
-    int rays = 96;    // from each point
-    int bounces = 3;  // 1: light that one wall gave back
+    int rays = 96;        // from each point
+    int bounces = 3;      // 1: light that one wall gave back
+    int gleam_rays = 12;  // more to each lamp shade whose inside the point may see
 };
 
 // view.prepared needs all but `ambient`.

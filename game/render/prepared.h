@@ -27,7 +27,7 @@ struct PrepareSettings {
     bool bakes_ambient = true;
     float spacing = 1.5f;  // metres between points of light
     std::size_t max_cells = 12'000;
-    int rays = 64;    // from each point
+    int rays = 96;    // from each point
     int bounces = 3;  // off walls; 1: light that was reflected once
     int lamp_list_rays = 8;
 };
@@ -47,7 +47,7 @@ struct Prepared {
     AmbientBake ambient;
     GlossTable gloss;
     std::vector<Emitter> emitters;  // what a path looks for besides lamps without a mesh
-    Gleams gleams;  // what lamps light so close by that a path looks for it as well
+    Gleams gleams;                  // what lamps light so close by that a path looks for it as well
     GlossEnergy energy;
     bool has_clear_parts = false;
     // What surely blocks a shadow ray: the Blocker parts of a level that says which they are, else all that is drawn,

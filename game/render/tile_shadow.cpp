@@ -79,7 +79,12 @@ void TileTracer::ask_for_shares(const SeenSurface& surface, float matters) {
     const float least = matters * total;
     for (const Arrival& arrival : arrivals_) {
         const float share = brightest(arrival.light);
-        if (share < least) continue;
+        if (share < least) {
+            // It takes no ray to know that some of it arrives. Left to chance among lamps that are all hidden, it
+            // would be missed: a dark room next to bright ones would be black.
+            if (arrival.lamp == world::kNoIndex) settle(surface.path, std::nullopt, arrival.light);
+            continue;
+        }
         ask(surface, arrival, frame_.settings.shadow_samples * (share >= 4.0f * least ? 2 : 1));
     }
     ask_one_below(surface, least);
@@ -87,19 +92,21 @@ void TileTracer::ask_for_shares(const SeenSurface& surface, float matters) {
 
 // Neighbours choose others, so that together they ask for each as often as it counts.
 void TileTracer::ask_one_below(const SeenSurface& surface, float least) {
+    const auto is_left_to_chance = [&](const Arrival& arrival) {
+        return arrival.lamp != world::kNoIndex && brightest(arrival.light) < least;
+    };
     float total = 0.0f;
     for (const Arrival& arrival : arrivals_) {
-        if (brightest(arrival.light) < least) total += brightest(arrival.light);
+        if (is_left_to_chance(arrival)) total += brightest(arrival.light);
     }
     const auto number = static_cast<std::uint32_t>(sample_);
     const PathRay& path = surface.path;
     float choice = samplers_[path.pixel].point(number, kChoicePurpose, path.depth).x * total;
     const Arrival* chosen = nullptr;
     for (const Arrival& arrival : arrivals_) {
-        const float share = brightest(arrival.light);
-        if (share >= least) continue;
+        if (!is_left_to_chance(arrival)) continue;
         chosen = &arrival;  // rounding may run past the last one, which then is it
-        choice -= share;
+        choice -= brightest(arrival.light);
         if (choice < 0.0f) break;
     }
     if (chosen != nullptr)
