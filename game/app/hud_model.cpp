@@ -187,13 +187,10 @@ std::string caption_of(const world::Noise& noise) {
     const std::string surface(world::surface_name(static_cast<world::Surface>(noise.surface)));
     switch (noise.kind) {
         case world::NoiseKind::Footstep:
-            return "";
         case world::NoiseKind::Land:
-            return "";
         case world::NoiseKind::Throw:
-            return "";
         case world::NoiseKind::PickUp:
-            return "";
+            return "";  // the player's own
         case world::NoiseKind::StoneHit:
             return "stone clatters on " + surface;
         case world::NoiseKind::DoorOpen:

@@ -10,7 +10,7 @@ namespace gh::app {
 namespace {
 
 int multiple_of_8(float length) {
-    return std::max(8, static_cast<int>(length / 8.0f + 0.5f) * 8);
+    return std::max(8, static_cast<int>(std::lround(length / 8.0f)) * 8);
 }
 
 }  // namespace

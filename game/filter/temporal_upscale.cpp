@@ -215,27 +215,26 @@ TemporalUpscaler::Kept TemporalUpscaler::renewed(const JitteredFrame& frame, int
             nearest.part, nearest.stays};
 }
 
+void TemporalUpscaler::stretch(glm::ivec2 size) {
+    std::vector<Kept> stretched(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+    for (int y = 0; has_history_ && y < size.y; ++y) {
+        for (int x = 0; x < size.x; ++x) {
+            Kept kept = kept_at((glm::vec2(x, y) + 0.5f) / glm::vec2(size));
+            kept.weight = std::min(kept.weight, 1.0f);
+            stretched[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
+                      static_cast<std::size_t>(x)] = kept;
+        }
+    }
+    kept_ = std::move(stretched);
+    size_ = size;
+}
+
 void TemporalUpscaler::add(const JitteredFrame& frame, glm::ivec2 size, const Jobs& jobs, Image& out) {
     const std::size_t pixels = frame.radiance.pixels.size();
     EXPECTS(size.x >= 1 && size.y >= 1 && pixels > 0);
     EXPECTS(frame.part.size() == pixels && frame.position.size() == pixels &&
             frame.previous.size() == pixels);
-    if (size != size_) {
-        // What is kept has the old size: begin with it stretched.
-        std::vector<Kept> stretched(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
-        if (has_history_) {
-            for (int y = 0; y < size.y; ++y) {
-                for (int x = 0; x < size.x; ++x) {
-                    Kept kept = kept_at((glm::vec2(x, y) + 0.5f) / glm::vec2(size));
-                    kept.weight = std::min(kept.weight, 1.0f);
-                    stretched[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
-                              static_cast<std::size_t>(x)] = kept;
-                }
-            }
-        }
-        kept_ = std::move(stretched);
-        size_ = size;
-    }
+    if (size != size_) stretch(size);
     next_.resize(kept_.size());
     const float pixels_a_radian =
         static_cast<float>(size.x) / static_cast<float>(frame.radiance.width) / glm::length(frame.lens.right);

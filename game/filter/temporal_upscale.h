@@ -66,6 +66,8 @@ class TemporalUpscaler {
         std::uint32_t part = kNoSurface;
         bool stays = true;
     };
+    // What is kept has another size: begin with it stretched.
+    void stretch(glm::ivec2 size);
     void gather_row(const JitteredFrame& frame, int y);
     [[nodiscard]] Kept kept_at(const glm::vec2& place) const;
     [[nodiscard]] static bool is_same(const Kept& kept, const Sample& sample);

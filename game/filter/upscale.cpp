@@ -113,7 +113,8 @@ void resample(const Image8& in, const Jobs& jobs, Image8& out) {
                         std::vector<float>(in.bytes.begin(), in.bytes.end())};
     const Floats result = resampled(floats, out.width, out.height, jobs);
     for (std::size_t i = 0; i < out.bytes.size(); ++i) {
-        out.bytes[i] = static_cast<std::uint8_t>(std::clamp(result.values[i], 0.0f, 255.0f) + 0.5f);
+        const float half_up = std::clamp(result.values[i], 0.0f, 255.0f) + 0.5f;
+        out.bytes[i] = static_cast<std::uint8_t>(half_up);
     }
 }
 

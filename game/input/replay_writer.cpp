@@ -107,9 +107,8 @@ Result<void> ReplayWriter::flush() {
 }
 
 Result<void> ReplayWriter::finish() {
-    if (const Result<void> flushed = flush(); !flushed) return flushed;
-    if (const Result<void> ended = open_->write(format::ending_bytes(open_->written_ticks)); !ended)
-        return ended;
+    if (Result<void> flushed = flush(); !flushed) return flushed;
+    if (Result<void> ended = open_->write(format::ending_bytes(open_->written_ticks)); !ended) return ended;
     const bool is_synced = ::fsync(::fileno(open_->file)) == 0;
     const bool is_closed = std::fclose(open_->file) == 0;
     open_->file = nullptr;

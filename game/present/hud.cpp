@@ -26,9 +26,15 @@ struct Canvas {
     [[nodiscard]] ImVec2 at(float x, float y) const { return {origin.x + x, origin.y + y}; }
 };
 
-void text(const Canvas& canvas, ImFont* font, float size, ImVec2 at, ImU32 colour, const std::string& words,
+struct Lettering {
+    ImFont* font;
+    float size;  // in pixels of a 720 pixel high picture
+};
+
+void text(const Canvas& canvas, const Lettering& lettering, ImVec2 at, ImU32 colour, const std::string& words,
           float align) {
-    const float px = size * canvas.unit;
+    ImFont* const font = lettering.font;
+    const float px = lettering.size * canvas.unit;
     const ImVec2 extent = font->CalcTextSizeA(px, 1e9f, 0.0f, words.c_str());
     const ImVec2 from(at.x - extent.x * align, at.y);
     const ImU32 shade =
@@ -70,24 +76,24 @@ void draw_stance(const Canvas& canvas, const HudModel& model) {
     const char* stance = model.is_crouched ? "crouching" : model.is_running ? "running" : "walking";
     const ImVec2 at =
         canvas.at(canvas.size.x * 0.5f - 112.0f * canvas.unit, canvas.size.y - 56.0f * canvas.unit);
-    text(canvas, text_font(), 15.0f, at, faded(kIvory, 0.75f), stance, 1.0f);
+    text(canvas, {text_font(), 15.0f}, at, faded(kIvory, 0.75f), stance, 1.0f);
     char stones[48];
     std::snprintf(stones, sizeof stones, "%d %s", model.stones_left,
                   model.stones_left == 1 ? "stone" : "stones");
     const ImVec2 right =
         canvas.at(canvas.size.x * 0.5f + 112.0f * canvas.unit, canvas.size.y - 56.0f * canvas.unit);
-    text(canvas, text_font(), 15.0f, right, faded(kIvory, model.stones_left > 0 ? 0.75f : 0.35f), stones,
+    text(canvas, {text_font(), 15.0f}, right, faded(kIvory, model.stones_left > 0 ? 0.75f : 0.35f), stones,
          0.0f);
     if (model.has_mirror) {
         const ImVec2 under =
             canvas.at(canvas.size.x * 0.5f + 112.0f * canvas.unit, canvas.size.y - 36.0f * canvas.unit);
-        text(canvas, text_font(), 15.0f, under, faded(kIvory, 0.75f), "F  hand mirror", 0.0f);
+        text(canvas, {text_font(), 15.0f}, under, faded(kIvory, 0.75f), "F  hand mirror", 0.0f);
     }
     if (model.lenses_total == 0) return;
     char lenses[64];
     std::snprintf(lenses, sizeof lenses, "lenses %d / %d", model.lenses_taken, model.lenses_total);
     const ImU32 colour = model.lenses_taken == model.lenses_total ? kBrass : faded(kIvory, 0.75f);
-    text(canvas, text_font(), 15.0f, canvas.at(canvas.size.x - 24.0f * canvas.unit, 20.0f * canvas.unit),
+    text(canvas, {text_font(), 15.0f}, canvas.at(canvas.size.x - 24.0f * canvas.unit, 20.0f * canvas.unit),
          colour, lenses, 1.0f);
 }
 
@@ -122,7 +128,7 @@ void draw_guards(const Canvas& canvas, const HudModel& model) {
         const ImVec2 at(centre.x + std::cos(angle) * (radius + 22.0f * canvas.unit),
                         centre.y + std::sin(angle) * (radius + 22.0f * canvas.unit) - 9.0f * canvas.unit);
         const char* mark = guard.mood == Mood::Suspicious ? "?" : guard.mood == Mood::Searching ? "??" : "!";
-        text(canvas, text_font(), 20.0f, at, colour_of(guard.mood),
+        text(canvas, {text_font(), 20.0f}, at, colour_of(guard.mood),
              mark + (guard.cue.empty() ? "" : "  " + guard.cue), 0.5f);
     }
 }
@@ -148,12 +154,12 @@ void draw_aim(const Canvas& canvas, const HudModel& model) {
 void draw_words(const Canvas& canvas, const HudModel& model) {
     const float middle = canvas.size.x * 0.5f;
     if (!model.prompt.empty()) {
-        text(canvas, text_font(), 18.0f, canvas.at(middle, canvas.size.y * 0.58f), kIvory, model.prompt,
+        text(canvas, {text_font(), 18.0f}, canvas.at(middle, canvas.size.y * 0.58f), kIvory, model.prompt,
              0.5f);
     }
     if (!model.room.empty() && model.room_age < 4.0f) {
         const float alpha = std::min({1.0f, model.room_age * 2.0f, 4.0f - model.room_age});
-        text(canvas, heading_font(), 40.0f, canvas.at(middle, canvas.size.y * 0.13f),
+        text(canvas, {heading_font(), 40.0f}, canvas.at(middle, canvas.size.y * 0.13f),
              faded(kIvory, alpha * 0.9f), model.room, 0.5f);
     }
     float y = canvas.size.y - 116.0f * canvas.unit;
@@ -161,17 +167,21 @@ void draw_words(const Canvas& canvas, const HudModel& model) {
         const float alpha = std::min(1.0f, kCaptionSeconds - caption->age);
         std::string words = "[" + caption->text + "]";
         if (caption->has_bearing && std::abs(caption->bearing) > 0.5f && std::abs(caption->bearing) < 2.64f) {
-            words = caption->bearing < 0.0f ? "\xE2\x80\xB9 " + words : words + " \xE2\x80\xBA";
+            if (caption->bearing < 0.0f) {
+                words.insert(0, "\xE2\x80\xB9 ");
+            } else {
+                words += " \xE2\x80\xBA";
+            }
         }
-        text(canvas, text_font(), 16.0f, canvas.at(middle, y), faded(kIvory, alpha), words, 0.5f);
+        text(canvas, {text_font(), 16.0f}, canvas.at(middle, y), faded(kIvory, alpha), words, 0.5f);
         y -= 21.0f * canvas.unit;
     }
     if (model.headline.empty()) return;
     canvas.list->AddRectFilled(canvas.at(0.0f, canvas.size.y * 0.36f),
                                canvas.at(canvas.size.x, canvas.size.y * 0.60f), kNight);
-    text(canvas, heading_font(), 72.0f, canvas.at(middle, canvas.size.y * 0.37f), kBrass, model.headline,
+    text(canvas, {heading_font(), 72.0f}, canvas.at(middle, canvas.size.y * 0.37f), kBrass, model.headline,
          0.5f);
-    text(canvas, text_font(), 18.0f, canvas.at(middle, canvas.size.y * 0.52f), kIvory, model.subline, 0.5f);
+    text(canvas, {text_font(), 18.0f}, canvas.at(middle, canvas.size.y * 0.52f), kIvory, model.subline, 0.5f);
 }
 
 // Over the picture; none while the window has no area.
@@ -201,7 +211,7 @@ void draw_title(const Window& window, const std::string& words) {
     if (!canvas) return;
     const float u = canvas->unit;
     canvas->list->AddRectFilled(canvas->at(0.0f, 0.0f), canvas->at(canvas->size.x, 30.0f * u), kNight);
-    text(*canvas, text_font(), 18.0f, canvas->at(canvas->size.x * 0.5f, 5.0f * u), kIvory, "F4: " + words,
+    text(*canvas, {text_font(), 18.0f}, canvas->at(canvas->size.x * 0.5f, 5.0f * u), kIvory, "F4: " + words,
          0.5f);
 }
 

@@ -1,6 +1,7 @@
 #include "present/window.h"
 
 #include <algorithm>
+#include <cmath>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -173,8 +174,8 @@ void Window::begin_frame(const Image8& picture) {
     if (size.x > 0 && size.y > 0 && picture.width > 0 && picture.height > 0) {
         const float scale = std::min(static_cast<float>(size.x) / static_cast<float>(picture.width),
                                      static_cast<float>(size.y) / static_cast<float>(picture.height));
-        const glm::ivec2 shown(static_cast<int>(static_cast<float>(picture.width) * scale + 0.5f),
-                               static_cast<int>(static_cast<float>(picture.height) * scale + 0.5f));
+        const glm::ivec2 shown(static_cast<int>(std::lround(static_cast<float>(picture.width) * scale)),
+                               static_cast<int>(std::lround(static_cast<float>(picture.height) * scale)));
         const glm::ivec2 offset = (size - shown) / 2;
         data_->picture_offset = glm::vec2(offset);
         data_->picture_size = glm::vec2(shown);

@@ -42,7 +42,7 @@ Result<void> refuse_empty(const std::filesystem::path& path, int width, int heig
 
 Result<void> write_png(const std::filesystem::path& path, const Image8& picture) {
     EXPECTS(picture.channels == 3 || picture.channels == 4);
-    if (const Result<void> fine = refuse_empty(path, picture.width, picture.height); !fine) return fine;
+    if (Result<void> fine = refuse_empty(path, picture.width, picture.height); !fine) return fine;
     OIIO::ImageSpec spec(picture.width, picture.height, picture.channels, OIIO::TypeDesc::UINT8);
     spec.attribute("oiio:ColorSpace", "sRGB");
     spec.attribute("oiio:UnassociatedAlpha", 1);
@@ -50,7 +50,7 @@ Result<void> write_png(const std::filesystem::path& path, const Image8& picture)
 }
 
 Result<void> write_exr(const std::filesystem::path& path, const Image& picture) {
-    if (const Result<void> fine = refuse_empty(path, picture.width, picture.height); !fine) return fine;
+    if (Result<void> fine = refuse_empty(path, picture.width, picture.height); !fine) return fine;
     static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
     OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::FLOAT);
     spec.attribute("oiio:ColorSpace", "Linear");
@@ -73,7 +73,8 @@ Result<Image> read_picture(const std::filesystem::path& path) {
         const int channels = spec.nchannels >= 3 ? 3 : 1;
         Image picture(spec.width, spec.height);
         std::vector<float> values(picture.pixels.size() * static_cast<std::size_t>(channels));
-        if (!in->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data())) return failed(in->geterror());
+        if (!in->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data()))
+            return failed(in->geterror());
         for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
             const float* value = values.data() + i * static_cast<std::size_t>(channels);
             picture.pixels[i] = channels == 3 ? glm::vec3(value[0], value[1], value[2]) : glm::vec3(value[0]);

@@ -51,6 +51,22 @@ void bounce(const Bake& bake, std::size_t point, std::vector<std::vector<Ambient
     }
 }
 
+// Of the 26 points around one, those that see anything.
+std::vector<std::size_t> seeing_around(const Grid& grid, const std::vector<float>& sees, std::size_t point) {
+    const glm::ivec3 at = grid.point_from_index(point);
+    const glm::ivec3 low = glm::max(at - 1, glm::ivec3(0)), high = glm::min(at + 1, grid.cells);
+    std::vector<std::size_t> around;
+    for (int z = low.z; z <= high.z; ++z) {
+        for (int y = low.y; y <= high.y; ++y) {
+            for (int x = low.x; x <= high.x; ++x) {
+                const std::size_t other = grid.point_index({x, y, z});
+                if (sees[other] > 0.0f) around.push_back(other);
+            }
+        }
+    }
+    return around;
+}
+
 // A point inside a wall takes what those around it have, and counts a thousandth of them: for corners that see no other.
 void fill_blind_points(AmbientBake& bake) {
     constexpr float kBlind = 1e-3f;
@@ -58,17 +74,7 @@ void fill_blind_points(AmbientBake& bake) {
     const std::vector<float> sees = bake.validity;
     for (std::size_t point = 0; point < sees.size(); ++point) {
         if (sees[point] > 0.0f) continue;
-        const glm::ivec3 at = grid.point_from_index(point);
-        const glm::ivec3 low = glm::max(at - 1, glm::ivec3(0)), high = glm::min(at + 1, grid.cells);
-        std::vector<std::size_t> around;
-        for (int z = low.z; z <= high.z; ++z) {
-            for (int y = low.y; y <= high.y; ++y) {
-                for (int x = low.x; x <= high.x; ++x) {
-                    const std::size_t other = grid.point_index({x, y, z});
-                    if (sees[other] > 0.0f) around.push_back(other);
-                }
-            }
-        }
+        const std::vector<std::size_t> around = seeing_around(grid, sees, point);
         if (around.empty()) continue;
         const float share = 1.0f / static_cast<float>(around.size());
         bake.sights[point] = {};

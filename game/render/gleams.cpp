@@ -177,6 +177,21 @@ std::vector<SeenGleam> seen_from(const SceneView& view, const Grid& grid, std::s
     return near;
 }
 
+// Adds to `all` what a cell sees, each gleam once, at the most it counts anywhere.
+void merge_seen(const std::vector<SeenGleam>& in_cell, float share, std::vector<SeenGleam>& all) {
+    for (const SeenGleam& seen : in_cell) {
+        const float weight = seen.weight * share;
+        const auto known = std::find_if(all.begin(), all.end(), [&](const SeenGleam& known_one) {
+            return known_one.gleam == seen.gleam;
+        });
+        if (known == all.end()) {
+            all.push_back({seen.gleam, weight});
+        } else {
+            known->weight = std::max(known->weight, weight);
+        }
+    }
+}
+
 // What the cell sees itself, and some of what its 26 neighbours do: few looks find little through a narrow opening.
 std::vector<SeenGleam> seen_around(const Grid& grid, std::size_t cell_index,
                                    const std::vector<std::vector<SeenGleam>>& of_cell) {
@@ -187,17 +202,7 @@ std::vector<SeenGleam> seen_around(const Grid& grid, std::size_t cell_index,
         for (int y = low.y; y <= high.y; ++y) {
             for (int x = low.x; x <= high.x; ++x) {
                 const std::size_t other = grid.cell_index({x, y, z});
-                for (const SeenGleam& seen : of_cell[other]) {
-                    const float weight = seen.weight * (other == cell_index ? 1.0f : kNeighbourShare);
-                    const auto known = std::find_if(all.begin(), all.end(), [&](const SeenGleam& known_one) {
-                        return known_one.gleam == seen.gleam;
-                    });
-                    if (known == all.end()) {
-                        all.push_back({seen.gleam, weight});
-                    } else {
-                        known->weight = std::max(known->weight, weight);
-                    }
-                }
+                merge_seen(of_cell[other], other == cell_index ? 1.0f : kNeighbourShare, all);
             }
         }
     }

@@ -59,8 +59,9 @@ GlossTable::GlossTable() {
             const glm::vec3 eye(std::sqrt(1.0f - cosine * cosine), 0.0f, cosine);
             float of_f0 = 0.0f, of_f90 = 0.0f;
             for (int i = 0; i < kSamplesPerSide * kSamplesPerSide; ++i) {
-                const float u = (static_cast<float>(i % kSamplesPerSide) + 0.5f) / kSamplesPerSide;
-                const float v = (static_cast<float>(i / kSamplesPerSide) + 0.5f) / kSamplesPerSide;
+                const int column = i % kSamplesPerSide, row = i / kSamplesPerSide;
+                const float u = (static_cast<float>(column) + 0.5f) / kSamplesPerSide;
+                const float v = (static_cast<float>(row) + 0.5f) / kSamplesPerSide;
                 const glm::vec3 half = visible_normal(eye, alpha, u, v);
                 const float cos_half_eye = std::max(0.0f, glm::dot(eye, half));
                 const float cos_light = 2.0f * cos_half_eye * half.z - eye.z;

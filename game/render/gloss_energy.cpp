@@ -17,9 +17,10 @@ GlossEnergy::Share integrated(float cosine, float alpha) {
     GlossEnergy::Share sum{0.0f, 0.0f};
     // What is lost lies in the lobe's tail: heights are picked closer together there.
     for (int i = 0; i < kTurns * kHeights; ++i) {
-        const float left = 1.0f - (static_cast<float>(i / kTurns) + 0.5f) / kHeights;
+        const int turn = i % kTurns, height = i / kTurns;
+        const float left = 1.0f - (static_cast<float>(height) + 0.5f) / kHeights;
         const float weight = 3.0f * left * left / (kTurns * kHeights);
-        const glm::vec2 u((static_cast<float>(i % kTurns) + 0.5f) * 0.5f / kTurns, 1.0f - left * left * left);
+        const glm::vec2 u((static_cast<float>(turn) + 0.5f) * 0.5f / kTurns, 1.0f - left * left * left);
         const glm::vec3 half = pick_facet(eye, alpha, u);
         const float facing = glm::dot(eye, half);
         const glm::vec3 light = half * (2.0f * facing) - eye;

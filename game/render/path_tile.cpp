@@ -69,8 +69,8 @@ void PathTile::add_eye_paths(std::uint32_t first_sample, std::uint32_t count) {
             path.pixel = static_cast<std::uint16_t>(i);
             const glm::vec2 at =
                 frame_.settings.jitters ? sequence(path).two(sample, 0) : frame_.settings.jitter + 0.5f;
-            path.ray = frame_.lens.ray(
-                glm::vec2(static_cast<float>(x_ + i % columns_), static_cast<float>(y_ + i / columns_)) + at);
+            const glm::ivec2 pixel(x_ + i % columns_, y_ + i / columns_);
+            path.ray = frame_.lens.ray(glm::vec2(pixel) + at);
             path.start = path.ray.origin;
             path.cone_angle = frame_.lens.pixel_angle();
             now_.push_back(path);

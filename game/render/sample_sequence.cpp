@@ -151,7 +151,8 @@ glm::vec2 SampleSequence::two(std::uint32_t sample, std::uint32_t dimension) con
         const std::uint32_t cell = shuffled(sample, across * down, key);
         const glm::vec2 within(unit_from_bits(hash_u32(key, sample, 3)),
                                unit_from_bits(hash_u32(key, sample, 4)));
-        const glm::vec2 corner(static_cast<float>(cell % across), static_cast<float>(cell / across));
+        const glm::uvec2 column_row(cell % across, cell / across);
+        const glm::vec2 corner(column_row);
         const glm::vec2 at =
             (corner + within) / glm::vec2(static_cast<float>(across), static_cast<float>(down));
         return {std::min(at.x, 0x1.fffffep-1f), std::min(at.y, 0x1.fffffep-1f)};

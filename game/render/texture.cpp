@@ -28,8 +28,8 @@ Tables make_tables() {
     Tables tables;
     for (std::size_t i = 0; i < 256; ++i) {
         tables.unit[i] = static_cast<std::uint16_t>(i * 257);
-        const float linear = linear_from_srgb(static_cast<float>(i) / 255.0f);
-        tables.from_srgb[i] = static_cast<std::uint16_t>(linear * 65535.0f + 0.5f);
+        const float half_up = linear_from_srgb(static_cast<float>(i) / 255.0f) * 65535.0f + 0.5f;
+        tables.from_srgb[i] = static_cast<std::uint16_t>(half_up);
     }
     return tables;
 }
@@ -74,6 +74,17 @@ MipTexture::MipTexture(const world::Texture& texture, Encoding encoding)
     while (mips_.back().width > 1 || mips_.back().height > 1) mips_.push_back(halved(mips_.back()));
 }
 
+void MipTexture::Mip::average(const glm::ivec2& begin, const glm::ivec2& end, std::uint16_t* mean) {
+    std::array<std::uint32_t, 4> sum{};
+    for (int y = begin.y; y < end.y; ++y) {
+        for (int x = begin.x; x < end.x; ++x) {
+            for (std::size_t c = 0; c < 4; ++c) sum[c] += texel(x, y)[c];
+        }
+    }
+    const auto count = static_cast<std::uint32_t>((end.y - begin.y) * (end.x - begin.x));
+    for (std::size_t c = 0; c < 4; ++c) mean[c] = static_cast<std::uint16_t>((sum[c] + count / 2) / count);
+}
+
 // Half the size, rounded down: each texel the mean of the 2x2 below it, 3 wide where a side is odd.
 MipTexture::Mip MipTexture::halved(Mip& big) {
     Mip small(std::max(1, big.width / 2), std::max(1, big.height / 2));
@@ -81,17 +92,7 @@ MipTexture::Mip MipTexture::halved(Mip& big) {
         const int y_begin = y * big.height / small.height, y_end = (y + 1) * big.height / small.height;
         for (int x = 0; x < small.width; ++x) {
             const int x_begin = x * big.width / small.width, x_end = (x + 1) * big.width / small.width;
-            std::array<std::uint32_t, 4> sum{};
-            for (int j = y_begin; j < y_end; ++j) {
-                for (int i = x_begin; i < x_end; ++i) {
-                    const std::uint16_t* const texel = big.texel(i, j);
-                    for (std::size_t c = 0; c < 4; ++c) sum[c] += texel[c];
-                }
-            }
-            const auto count = static_cast<std::uint32_t>((y_end - y_begin) * (x_end - x_begin));
-            std::uint16_t* const mean = small.texel(x, y);
-            for (std::size_t c = 0; c < 4; ++c)
-                mean[c] = static_cast<std::uint16_t>((sum[c] + count / 2) / count);
+            big.average({x_begin, y_begin}, {x_end, y_end}, small.texel(x, y));
         }
     }
     return small;

@@ -46,6 +46,8 @@ class MipTexture {
 
         Mip(int width, int height);
         [[nodiscard]] std::uint16_t* texel(int x, int y);
+        // The mean of the texels from `begin` up to `end`, which is not among them.
+        void average(const glm::ivec2& begin, const glm::ivec2& end, std::uint16_t* mean);
         [[nodiscard]] MipView view() const { return {rgba.data(), width, height, blocks_across}; }
     };
     [[nodiscard]] static Mip halved(Mip& big);
