@@ -68,16 +68,15 @@ std::optional<std::string> divergence(const input::Replay& replay, std::size_t t
                        replay.state_hashes[tick]);
 }
 
-const char* outcome_words(world::Outcome outcome) {
-    switch (outcome) {
-        case world::Outcome::Playing:
-            return "still playing";
-        case world::Outcome::Caught:
-            return "caught";
-        case world::Outcome::Won:
-            return "won";
-    }
-    return "";
+// How it ended, and how often the player was caught on the way there.
+std::string outcome_words(const world::RulesState& rules) {
+    const bool is_won = rules.outcome == world::Outcome::Won;
+    const std::string end = is_won                                    ? "won"
+                            : rules.outcome == world::Outcome::Caught ? "caught"
+                                                                      : "still playing";
+    if (rules.times_caught == 0) return end;
+    return fmt::format("{}, caught {} {}", end, rules.times_caught,
+                       rules.times_caught == 1 ? "time" : "times");
 }
 
 int run_headless(const ReplayOptions& options, const input::Replay& replay, Session& session) {
@@ -91,11 +90,15 @@ int run_headless(const ReplayOptions& options, const input::Replay& replay, Sess
         last_hash = hash.total;
         if (options.verifies) {
             if (const auto where = divergence(replay, tick, hash)) {
+                progress.end_line();
                 std::cerr << "glasshouse: " << options.file.string() << ": " << *where << '\n';
                 return kExitDiverged;
             }
         }
-        if (auto noted = output->note_tick(session, tick); !noted) return refuse(noted.error());
+        if (auto noted = output->note_tick(session, tick); !noted) {
+            progress.end_line();
+            return refuse(noted.error());
+        }
         progress.show(tick + 1);
     }
     if (auto closed = output->close(); !closed) return refuse(closed.error());
@@ -106,7 +109,7 @@ int run_headless(const ReplayOptions& options, const input::Replay& replay, Sess
         std::cout << fmt::format("{}: {} ticks ({:.1f} s), {}, {} of {} lenses, {} pictures, hash {:016x}\n",
                                  options.file.string(), replay.ticks(),
                                  static_cast<double>(replay.ticks()) / world::kTicksPerSecond,
-                                 outcome_words(state.rules.outcome), int{state.rules.lenses_taken_count},
+                                 outcome_words(state.rules), int{state.rules.lenses_taken_count},
                                  session.level->lenses.size(), output->pictures(), last_hash);
     }
     return kExitFine;

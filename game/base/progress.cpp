@@ -24,7 +24,14 @@ Progress::Progress(std::string label, std::size_t total, std::FILE* out, bool is
 }
 
 Progress::~Progress() {
-    if (is_terminal_) fmt::print(out_, "\n");
+    end_line();
+}
+
+void Progress::end_line() {
+    if (!is_line_open_) return;
+    fmt::print(out_, "\n");
+    std::fflush(out_);
+    is_line_open_ = false;
 }
 
 void Progress::show(std::size_t done) {
@@ -39,10 +46,12 @@ void Progress::show(std::size_t done) {
         const auto filled = static_cast<std::size_t>(percent * kBarWidth / 100);
         const std::string bar = std::string(filled, '#') + std::string(kBarWidth - filled, '.');
         fmt::print(out_, "\r{} [{}] {:3} %", label_, bar, percent);
+        is_line_open_ = true;
     } else {
         fmt::print(out_, "{}: {} %\n", label_, percent);
     }
     std::fflush(out_);
+    if (percent == 100) end_line();
 }
 
 }  // namespace gh

@@ -2,6 +2,7 @@
 //
 // On a terminal one line is redrawn in place; elsewhere (a log, a pipe) a plain line comes at every tenth
 // part, so that logs stay short. Nothing reads a clock: it is drawn when the shown percentage changes.
+// The line ends when all is done; whoever has something to say before that ends it first.
 // Threads   one at a time.
 #pragma once
 
@@ -17,18 +18,21 @@ class Progress {
     Progress(std::string label, std::size_t total);
     // The same, drawn elsewhere: for tests.
     Progress(std::string label, std::size_t total, std::FILE* out, bool is_terminal);
-    ~Progress();  // ends the line it drew
+    ~Progress();  // ends the line
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
     // `done` of the total; more than the total counts as the total.
     void show(std::size_t done);
+    // What is said next has a line of its own.
+    void end_line();
 
   private:
     std::string label_;
     std::size_t total_;
     std::FILE* out_;
     bool is_terminal_;
+    bool is_line_open_ = false;
     int shown_percent_ = -1;
 };
 

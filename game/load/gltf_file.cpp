@@ -65,7 +65,8 @@ bool read_side_file(std::vector<unsigned char>* out, std::string* error, const s
 }
 
 // Images in a buffer view are left alone: their bytes' range is not checked yet. Others are kept as they
-// came.
+// came. The parameters are the parser's choice.
+// NOLINTNEXTLINE(readability-function-size)
 bool keep_image(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
                 int size, void*) {
     if (image->bufferView < 0 && size > 0) image->image.assign(bytes, bytes + size);

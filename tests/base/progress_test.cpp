@@ -48,5 +48,27 @@ TEST(Progress, NothingToDoIsFinishedAndMoreThanAllIsAll) {
     EXPECT_EQ(drawn_by(false, 1, [](Progress& p) { p.show(5); }), "frames: 0 %\nframes: 100 %\n");
 }
 
+// What a replay has to say, a summary or where it diverged, came at the end of the bar's line.
+TEST(Progress, WhatIsSaidAfterwardsHasALineOfItsOwn) {
+    char* text = nullptr;
+    std::size_t size = 0;
+    std::FILE* out = open_memstream(&text, &size);
+    {
+        Progress whole("whole", 2, out, true);
+        whole.show(2);
+        std::fputs("done\n", out);
+        Progress half("half", 2, out, true);
+        half.show(1);
+        half.end_line();
+        std::fputs("stopped\n", out);
+    }
+    std::fclose(out);
+    const std::string said(text, size);
+    std::free(text);
+    EXPECT_NE(said.find("100 %\ndone\n"), std::string::npos) << said;
+    EXPECT_NE(said.find(" 50 %\nstopped\n"), std::string::npos) << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 4) << said;
+}
+
 }  // namespace
 }  // namespace gh

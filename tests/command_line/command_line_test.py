@@ -101,9 +101,9 @@ def pictures():
 
 def recordings():
     winning = os.path.join(ASSETS, "replays", "foyer_win.rec")
-    for name, word in (("foyer_win.rec", "won"), ("foyer_caught.rec", "caught")):
+    for name, ending in (("foyer_win.rec", " s), won, 1 of 1 lenses"), ("foyer_caught.rec", "caught 1 time,")):
         done = run("replay", os.path.join(ASSETS, "replays", name))
-        check(f"{name} ends {word}", done.returncode == 0 and word in done.stdout, done.stdout + done.stderr)
+        check(f"{name} tells its end", done.returncode == 0 and ending in done.stdout, done.stdout + done.stderr)
     done = run("inspect", winning)
     check("inspect tells of a recording", done.returncode == 0 and "ticks" in done.stdout, done.stderr)
 
