@@ -32,10 +32,6 @@ Angle difference(const Angle& a, const Angle& b) {
     return {a.cos * b.cos + a.sin * b.sin, a.sin * b.cos - a.cos * b.sin};
 }
 
-float area(const glm::vec3& size) {
-    return size.x * size.y + size.y * size.z + size.z * size.x;
-}
-
 // The narrowest cone around both cones of normals.
 void merge_cones(LightBounds& a, const LightBounds& b) {
     if (a.cos_normals <= -1.0f || b.cos_normals <= -1.0f) {
@@ -75,21 +71,48 @@ LightBounds merged(const LightBounds& a, const LightBounds& b) {
     return both;
 }
 
-// How much of the sphere the group shines into, as Conty and Kulla weigh it.
-float spread(const LightBounds& bounds) {
-    const float normals = det::acos(std::clamp(bounds.cos_normals, -1.0f, 1.0f));
-    const float emission = det::acos(std::clamp(bounds.cos_emission, -1.0f, 1.0f));
-    const float whole = std::min(normals + emission, kPi);
-    const float sine = det::sin(normals);
-    return kTwoPi * (1.0f - bounds.cos_normals) +
-           0.5f * kPi *
-               (2.0f * whole * sine - det::cos(normals - 2.0f * whole) - 2.0f * normals * sine +
-                bounds.cos_normals);
-}
+// What a group of lights costs to be picked from, without any trigonometry: planes are compared by it, n log n times.
+// Which of them is taken changes no probability's truth, so that it need not be exact; what nodes hold is.
+class Group {
+  public:
+    void add(const LightBounds& light) {
+        low_ = glm::min(low_, light.min);
+        high_ = glm::max(high_, light.max);
+        // The mean of the directions in a cone is its axis times (1 + cos) / 2.
+        axis_ += light.axis * (light.power * 0.5f * (1.0f + light.cos_normals));
+        cos_emission_ = std::min(cos_emission_, light.cos_emission);
+        power_ += light.power;
+    }
+    void add(const Group& other) {
+        low_ = glm::min(low_, other.low_);
+        high_ = glm::max(high_, other.high_);
+        axis_ += other.axis_;
+        cos_emission_ = std::min(cos_emission_, other.cos_emission_);
+        power_ += other.power_;
+    }
+    [[nodiscard]] bool is_dark() const { return !(power_ > 0.0f); }
+    [[nodiscard]] float cost() const {
+        const glm::vec3 size = high_ - low_;
+        // Lamps in a row have no area: their length counts a little.
+        const float area = size.x * size.y + size.y * size.z + size.z * size.x;
+        return power_ * spread() * (area + 1e-3f * glm::dot(size, size));
+    }
 
-float cost(const LightBounds& bounds) {
-    return bounds.power > 0.0f ? bounds.power * spread(bounds) * area(bounds.max - bounds.min) : 0.0f;
-}
+  private:
+    // How much of the sphere it shines into: the square of 1 - cos (normals + emission), which is within a fifth of what
+    // Conty and Kulla integrate.
+    [[nodiscard]] float spread() const {
+        const float cos_normals = std::clamp(2.0f * glm::length(axis_) / power_ - 1.0f, -1.0f, 1.0f);
+        if (!(cos_normals > -cos_emission_)) return 4.0f;  // both angles together are more than half a turn
+        const float both = cos_normals * cos_emission_ - sine_of(cos_normals) * sine_of(cos_emission_);
+        return (1.0f - both) * (1.0f - both);
+    }
+
+    glm::vec3 low_{rc::kInfinity}, high_{-rc::kInfinity};
+    glm::vec3 axis_{0.0f};
+    float cos_emission_ = 1.0f;
+    float power_ = 0.0f;
+};
 
 }  // namespace
 
@@ -97,6 +120,18 @@ struct LightTree::Item {
     LightBounds bounds;
     glm::vec3 centre{0.0f};
     std::uint32_t light = 0;
+};
+
+// Items in bins across the widest side that is worth it, and the cheapest plane between two bins.
+struct LightTree::Plane {
+    std::size_t axis = 0;
+    float low = 0.0f, per_bin = 0.0f;
+    int last = -1;  // bin before it; -1: no plane parts the items
+
+    [[nodiscard]] int bin(const Item& item) const {
+        return std::min(kBins - 1, static_cast<int>((item.centre[axis] - low) * per_bin));
+    }
+    [[nodiscard]] bool is_before(const Item& item) const { return bin(item) <= last; }
 };
 
 LightTree::LightTree(std::span<const LightBounds> lights) {
@@ -107,76 +142,93 @@ LightTree::LightTree(std::span<const LightBounds> lights) {
     trails_.assign(lights.size(), 0);
     if (items.empty()) return;
     nodes_.reserve(2 * items.size());
-    build(items, 0, 0);
+    std::vector<Item> scratch(items.size());
+    (void)build(items, scratch, {});
 }
 
-std::uint32_t LightTree::build(std::span<Item> items, std::uint64_t trail, int depth) {
-    const auto id = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.emplace_back();
-    LightBounds all;
+LightTree::Plane LightTree::cheapest_plane(std::span<const Item> items) {
     glm::vec3 low = items[0].centre, high = items[0].centre;
     for (const Item& item : items) {
-        all = merged(all, item.bounds);
         low = glm::min(low, item.centre);
         high = glm::max(high, item.centre);
     }
-    Node node;
-    node.centre = 0.5f * (all.min + all.max);
-    const glm::vec3 half = 0.5f * (all.max - all.min);
-    node.radius2 = glm::dot(half, half);
-    node.axis = all.axis;
-    node.power = all.power;
-    node.cos_normals = all.cos_normals;
-    node.sin_normals = sine_of(all.cos_normals);
-    node.cos_emission = all.cos_emission;
-    if (items.size() == 1) {
-        node.is_leaf = true;
-        node.next = items[0].light;
-        trails_[items[0].light] = trail;
-        nodes_[id] = node;
-        return id;
-    }
-    // The cheapest of the planes between bins; half and half where none parts them or the tree gets too deep.
-    float best = rc::kInfinity;
-    std::size_t best_axis = 0;
-    int best_plane = 0;
     const glm::vec3 size = high - low;
     const float widest = std::max({size.x, size.y, size.z});
-    for (std::size_t axis = 0; axis < 3 && depth < kDeepest / 2; ++axis) {
-        if (!(size[axis] > 0.0f)) continue;
-        std::array<LightBounds, kBins> bins{};
-        for (const Item& item : items) {
-            const int bin =
-                std::min(kBins - 1, static_cast<int>((item.centre[axis] - low[axis]) / size[axis] * kBins));
-            bins[static_cast<std::size_t>(bin)] = merged(bins[static_cast<std::size_t>(bin)], item.bounds);
-        }
-        std::array<LightBounds, kBins> behind{};
-        behind[kBins - 1] = bins[kBins - 1];
-        for (std::size_t b = kBins - 1; b-- > 0;) behind[b] = merged(behind[b + 1], bins[b]);
-        LightBounds before;
+    Plane best;
+    float least = rc::kInfinity;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        Plane plane{.axis = axis, .low = low[axis], .per_bin = kBins / size[axis]};
+        if (!(size[axis] > 0.0f) || !(plane.per_bin < rc::kInfinity)) continue;
+        std::array<Group, kBins> bins{};
+        for (const Item& item : items) bins[static_cast<std::size_t>(plane.bin(item))].add(item.bounds);
+        std::array<Group, kBins> behind = bins;
+        for (std::size_t b = kBins - 1; b-- > 0;) behind[b].add(behind[b + 1]);
+        Group before;
         for (std::size_t b = 0; b + 1 < kBins; ++b) {
-            before = merged(before, bins[b]);
-            if (!(before.power > 0.0f) || !(behind[b + 1].power > 0.0f)) continue;
-            const float price = (cost(before) + cost(behind[b + 1])) * (widest / size[axis]);
-            if (price < best) {
-                best = price;
-                best_axis = axis;
-                best_plane = static_cast<int>(b);
-            }
+            before.add(bins[b]);
+            if (before.is_dark() || behind[b + 1].is_dark()) continue;
+            const float price = (before.cost() + behind[b + 1].cost()) * (widest / size[axis]);
+            if (!(price < least)) continue;
+            least = price;
+            best = plane;
+            best.last = static_cast<int>(b);
         }
     }
-    auto middle = items.begin() + static_cast<std::ptrdiff_t>(items.size() / 2);
-    if (best < rc::kInfinity) {
-        middle = std::stable_partition(items.begin(), items.end(), [&](const Item& item) {
-            const float at = (item.centre[best_axis] - low[best_axis]) / size[best_axis] * kBins;
-            return std::min(kBins - 1, static_cast<int>(at)) <= best_plane;
-        });
+    return best;
+}
+
+// Half and half where no plane parts them or the tree gets too deep. `scratch` is as long as `items`.
+std::size_t LightTree::part(std::span<Item> items, std::span<Item> scratch, int depth) {
+    if (depth >= kDeepest / 2) return items.size() / 2;
+    const Plane plane = cheapest_plane(items);
+    if (plane.last < 0) return items.size() / 2;
+    std::size_t kept = 0, moved = 0;
+    for (const Item& item : items) {
+        if (plane.is_before(item)) {
+            items[kept++] = item;
+        } else {
+            scratch[moved++] = item;
+        }
     }
-    const auto first = static_cast<std::size_t>(middle - items.begin());
-    build(items.subspan(0, first), trail, depth + 1);
-    node.next = build(items.subspan(first), trail | (std::uint64_t{1} << depth), depth + 1);
-    nodes_[id] = node;
-    return id;
+    std::copy(scratch.begin(), scratch.begin() + static_cast<std::ptrdiff_t>(moved),
+              items.begin() + static_cast<std::ptrdiff_t>(kept));
+    return kept;
+}
+
+// Writes the nodes of these items, children after their parent, and returns what they can do together.
+LightBounds LightTree::build(std::span<Item> items, std::span<Item> scratch, const Turns& turns) {
+    const std::size_t id = nodes_.size();
+    nodes_.emplace_back();
+    if (items.size() == 1) {
+        nodes_[id] = node_of(items[0].bounds);
+        nodes_[id].is_leaf = true;
+        nodes_[id].next = items[0].light;
+        trails_[items[0].light] = turns.trail;
+        return items[0].bounds;
+    }
+    const std::size_t first = part(items, scratch, turns.depth);
+    const LightBounds near =
+        build(items.subspan(0, first), scratch.subspan(0, first), {turns.trail, turns.depth + 1});
+    const auto second = static_cast<std::uint32_t>(nodes_.size());
+    const LightBounds far = build(items.subspan(first), scratch.subspan(first),
+                                  {turns.trail | (std::uint64_t{1} << turns.depth), turns.depth + 1});
+    const LightBounds both = merged(near, far);
+    nodes_[id] = node_of(both);
+    nodes_[id].next = second;
+    return both;
+}
+
+LightTree::Node LightTree::node_of(const LightBounds& bounds) {
+    Node node;
+    node.centre = 0.5f * (bounds.min + bounds.max);
+    const glm::vec3 half = 0.5f * (bounds.max - bounds.min);
+    node.radius2 = glm::dot(half, half);
+    node.axis = bounds.axis;
+    node.power = bounds.power;
+    node.cos_normals = bounds.cos_normals;
+    node.sin_normals = sine_of(bounds.cos_normals);
+    node.cos_emission = bounds.cos_emission;
+    return node;
 }
 
 // Power over squared distance, times the best cosines that any of the group's lights can have on both ends.
