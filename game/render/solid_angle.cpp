@@ -30,11 +30,22 @@ bool is_small(const RectShape& rect, const glm::vec3& from, float area) {
     return area < kSmall * glm::dot(offset, offset);
 }
 
-// The rectangle in its own frame, seen from the origin, and the spherical rectangle's angles.
+// An angle as the point of the unit circle it turns to: sums of angles are products, which need no arc functions.
+struct Turned {
+    float cos = 1.0f, sin = 0.0f;
+};
+Turned operator*(const Turned& a, const Turned& b) {
+    return {a.cos * b.cos - a.sin * b.sin, a.sin * b.cos + a.cos * b.sin};
+}
+
+// The rectangle in its own frame, seen from the origin, and the spherical rectangle's angles (Urena et al. 2013). The
+// planes through the eye and each edge have normals with one coordinate along an edge and one along z, so that the cosine
+// between two neighbours is a product; their four angles' sum is 2 pi + the solid angle.
 struct SphericalRect {
     glm::vec3 x, y, z;
     float x0, x1, y0, y1, z0;
-    float b0, b1, k, solid_angle;
+    float b0, b1, solid_angle;
+    Turned k;  // where the picked angle starts: minus the two angles at x0
 
     SphericalRect(const RectShape& rect, const glm::vec3& from) {
         const float half_width = glm::length(rect.half_u), half_height = glm::length(rect.half_v);
@@ -52,22 +63,20 @@ struct SphericalRect {
         x1 = cx + half_width;
         y0 = cy - half_height;
         y1 = cy + half_height;
-        const glm::vec3 v00(x0, y0, z0), v01(x0, y1, z0), v10(x1, y0, z0), v11(x1, y1, z0);
-        const glm::vec3 n0 = glm::normalize(glm::cross(v00, v10)), n1 = glm::normalize(glm::cross(v10, v11));
-        const glm::vec3 n2 = glm::normalize(glm::cross(v11, v01)), n3 = glm::normalize(glm::cross(v01, v00));
-        const auto angle = [](const glm::vec3& a, const glm::vec3& b) {
-            return det::acos(std::clamp(-glm::dot(a, b), -1.0f, 1.0f));
-        };
-        b0 = n0.z;
-        b1 = n2.z;
-        k = kTwoPi - angle(n2, n3) - angle(n3, n0);
-        solid_angle = angle(n0, n1) + angle(n1, n2) - k;
+        const Edge low_y = edge(-y0), high_x = edge(x1), high_y = edge(y1), low_x = edge(-x0);
+        b0 = low_y.cos;
+        b1 = high_y.cos;
+        const Turned beside = corner(high_y, low_x) * corner(low_x, low_y);
+        const Turned all = corner(low_y, high_x) * corner(high_x, high_y) * beside;
+        k = {beside.cos, -beside.sin};
+        solid_angle = det::atan2(all.sin, all.cos);
+        if (solid_angle < 0.0f) solid_angle += kTwoPi;
     }
 
     [[nodiscard]] glm::vec3 point(const glm::vec2& u) const {
-        const float turned = u.x * solid_angle + k;
-        const auto [sine, cosine] = det::sin_cos(turned);
-        const float slope = (cosine * b0 - b1) / sine;
+        const det::SinCos share = det::sin_cos(u.x * solid_angle);
+        const Turned turned = Turned{share.cos, share.sin} * k;
+        const float slope = (turned.cos * b0 - b1) / turned.sin;
         const float cu =
             std::clamp(std::copysign(1.0f / std::sqrt(slope * slope + b0 * b0), slope), -1.0f, 1.0f);
         const float xu = std::clamp(-(cu * z0) / std::max(std::sqrt(1.0f - cu * cu), 1e-7f), x0, x1);
@@ -76,6 +85,20 @@ struct SphericalRect {
         const float h = h0 + u.y * (h1 - h0);
         const float yv = h * h < 1.0f - 1e-6f ? h * std::sqrt(d2) / std::sqrt(1.0f - h * h) : y1;
         return x * xu + y * std::clamp(yv, y0, y1) + z * z0;
+    }
+
+  private:
+    // How the plane through an edge `off` from the foot of the eye leans.
+    struct Edge {
+        float cos, sin2;
+    };
+    [[nodiscard]] Edge edge(float off) const {
+        const float length2 = off * off + z0 * z0;
+        return {off / std::sqrt(length2), z0 * z0 / length2};
+    }
+    // The angle between neighbours; 1 - (ab)^2 written so that nothing cancels.
+    [[nodiscard]] static Turned corner(const Edge& a, const Edge& b) {
+        return {-a.cos * b.cos, std::sqrt(a.sin2 + a.cos * a.cos * b.sin2)};
     }
 };
 
