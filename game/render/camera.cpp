@@ -2,10 +2,12 @@
 
 #include "base/contracts.h"
 #include "base/det_math.h"
+#include "render/directions.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace gh::render {
 
@@ -28,8 +30,10 @@ Camera camera_around(const world::Aabb& box) {
     return camera;
 }
 
-Lens::Lens(const Camera& camera, int width, int height) : position_(camera.position) {
+Lens::Lens(const Camera& camera, int width, int height)
+    : position_(camera.position), aperture_(camera.aperture), focus_(camera.focus) {
     EXPECTS(width >= 1 && height >= 1);
+    EXPECTS(!(camera.aperture > 0.0f) || camera.focus > 0.0f);
     EXPECTS(camera.fov_y > 0.0f && camera.fov_y < kPi);
     const auto [sin_yaw, cos_yaw] = det::sin_cos(camera.yaw);
     const auto [sin_pitch, cos_pitch] = det::sin_cos(camera.pitch);
@@ -53,6 +57,27 @@ Lens::Lens(const Camera& camera, int width, int height) : position_(camera.posit
 rc::Ray Lens::ray(const glm::vec2& point) const {
     const glm::vec3 direction = corner_ + right_ * point.x + down_ * point.y;
     return {.origin = position_, .direction = glm::normalize(direction)};
+}
+
+rc::Ray Lens::ray(const glm::vec2& point, const glm::vec2& u) const {
+    if (!has_aperture()) return ray(point);
+    const glm::vec2 within = circle_point(u.y) * (std::sqrt(u.x) * aperture_ / pixel_angle_);
+    const glm::vec3 aside = right_ * within.x + down_ * within.y;
+    const glm::vec3 to_sharp = (corner_ + right_ * point.x + down_ * point.y) * focus_;
+    return {.origin = position_ + aside, .direction = glm::normalize(to_sharp - aside)};
+}
+
+Lens between(const Lens& a, const Lens& b, float share) {
+    Lens lens = a;
+    const auto blend = [share](auto& from, const auto& to) { from += (to - from) * share; };
+    blend(lens.position_, b.position_);
+    blend(lens.corner_, b.corner_);
+    blend(lens.right_, b.right_);
+    blend(lens.down_, b.down_);
+    blend(lens.pixel_angle_, b.pixel_angle_);
+    blend(lens.aperture_, b.aperture_);
+    blend(lens.focus_, b.focus_);
+    return lens;
 }
 
 }  // namespace gh::render

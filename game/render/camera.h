@@ -20,6 +20,10 @@ struct Camera {
     float pitch = 0.0f;
     float roll = 0.0f;    // leaning round a corner
     float fov_y = 1.15f;  // full vertical opening angle, in (0, pi)
+    // A thin lens: what lies `focus` metres off, measured straight ahead, is sharp, all else blurred. A pinhole if the
+    // aperture is 0; `focus` > 0 otherwise.
+    float aperture = 0.0f;  // metres, radius
+    float focus = 1.0f;     // metres
 };
 
 [[nodiscard]] Camera camera_from(const world::Viewpoint& viewpoint);
@@ -37,6 +41,15 @@ class Lens {
     // The direction is unit.
     [[nodiscard]] rc::Ray ray(const glm::vec2& point) const;
 
+    // Through another place of the aperture, `u` in [0, 1)^2: all of them meet where the picture is sharp. Something at
+    // depth z is spread over a disc of radius aperture * |1 / z - 1 / focus| / pixel_angle() pixels.
+    [[nodiscard]] rc::Ray ray(const glm::vec2& point, const glm::vec2& u) const;
+    [[nodiscard]] bool has_aperture() const { return aperture_ > 0.0f; }
+
+    // One that stands between two, `share` of the way from `a` to `b`: as far as a camera goes and turns while its shutter
+    // is open, its path is straight.
+    friend Lens between(const Lens& a, const Lens& b, float share);
+
     // Opening of the cone that one pixel covers at the picture's centre, in radians: what textures are filtered by.
     [[nodiscard]] float pixel_angle() const { return pixel_angle_; }
 
@@ -52,6 +65,10 @@ class Lens {
     glm::vec3 right_;   // one pixel to the right on that plane
     glm::vec3 down_;    // one pixel down
     float pixel_angle_;
+    float aperture_;
+    float focus_;
 };
+
+[[nodiscard]] Lens between(const Lens& a, const Lens& b, float share);
 
 }  // namespace gh::render
