@@ -1,9 +1,11 @@
 #include "app/film_strip.h"
 
+#include "base/det_math.h"
 #include "record/picture.h"
 #include "world/state.h"
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include <utility>
 
@@ -26,22 +28,39 @@ Result<void> FilmStrip::shoot(const render::SceneView& scene, std::size_t tick, 
     const char* const ending = options_.writes_exr ? "exr" : "png";
     const std::filesystem::path path = options_.frames / fmt::format("frame_{:06}.{}", tick, ending);
     const float seconds = static_cast<float>(options_.every) * world::kTickSeconds;
-    const bool is_path = options_.renderer.renderer == "path";
+    const bool is_path = light_paths(options_.renderer.renderer).has_value();
     if (!options_.writes_exr || (is_path && !options_.renderer.is_unbiased)) {
         const render::Camera camera = player_camera(scene.snapshot.state.player);
         sketch_.expose(scene, camera, render::WhittedSettings{}, frame, jobs);
         sketch_.adapt(seconds);
     }
+    const render::Camera camera = with_lens(player_camera(scene.snapshot.state.player), options_.renderer);
+    const render::Camera opened = shutter_opens(camera);
+    last_ = camera;
     std::error_code error;
     if (std::filesystem::exists(path, error)) return {};
-    expose(scene, frame, jobs);
+    expose(scene, camera, opened, frame, jobs);
     if (options_.writes_exr) return record::write_exr(path, view_.film().radiance);
     return record::write_png(path, view_.develop_at(sketch_.exposure(), frame, 0.0f, jobs));
 }
 
-void FilmStrip::expose(const render::SceneView& scene, std::uint32_t frame, const Jobs& jobs) {
-    const render::Camera camera = player_camera(scene.snapshot.state.player);
-    if (options_.renderer.renderer != "path") {
+// Where the eye is when the shutter opens, on the straight way from where it was a picture ago. A leap to a checkpoint is
+// a cut.
+render::Camera FilmStrip::shutter_opens(const render::Camera& camera) const {
+    constexpr float kLeap = 2.0f;  // metres
+    render::Camera opened = camera;
+    if (!last_ || glm::distance(last_->position, camera.position) > kLeap) return opened;
+    const float back = options_.renderer.shutter;
+    opened.position += (last_->position - camera.position) * back;
+    opened.yaw += wrap_angle(last_->yaw - camera.yaw) * back;
+    opened.pitch += (last_->pitch - camera.pitch) * back;
+    opened.roll += (last_->roll - camera.roll) * back;
+    return opened;
+}
+
+void FilmStrip::expose(const render::SceneView& scene, const render::Camera& camera,
+                       const render::Camera& opened, std::uint32_t frame, const Jobs& jobs) {
+    if (!light_paths(options_.renderer.renderer)) {
         const render::WhittedSettings settings{.samples_per_pixel = options_.samples_per_pixel};
         view_.expose(scene, camera, settings, frame, jobs);
         return;
@@ -49,6 +68,7 @@ void FilmStrip::expose(const render::SceneView& scene, std::uint32_t frame, cons
     render::PathSettings settings =
         path_settings(options_.renderer, options_.samples_per_pixel, sketch_.exposure());
     if (sky_) settings.environment = &*sky_;
+    if (options_.renderer.shutter > 0.0f) settings.shutter_from = &opened;
     view_.forget();  // a picture that hangs on the ones before could not be made alone
     view_.expose(scene, camera, settings, frame, jobs);
 }

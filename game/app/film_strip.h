@@ -24,12 +24,15 @@ class FilmStrip {
     [[nodiscard]] std::uint32_t pictures() const { return pictures_; }
 
   private:
-    void expose(const render::SceneView& scene, std::uint32_t frame, const Jobs& jobs);
+    void expose(const render::SceneView& scene, const render::Camera& camera, const render::Camera& opened,
+                std::uint32_t frame, const Jobs& jobs);
+    [[nodiscard]] render::Camera shutter_opens(const render::Camera& camera) const;
 
     ReplayOptions options_;
     std::optional<render::Environment> sky_;
     View view_;
     View sketch_;
+    std::optional<render::Camera> last_;  // of the picture before
     std::uint32_t pictures_ = 0;
 };
 

@@ -5,6 +5,8 @@
 #include "app/commands.h"
 #include "app/printable.h"
 #include "input/replay.h"
+#include "load/level_loader.h"
+#include "render/scene_needs.h"
 #include "world/state.h"
 
 #include <fmt/format.h>
@@ -70,7 +72,10 @@ int inspect(const InspectOptions& options) {
     if (!level) return refuse(level.error());
     const auto page = load::describe_level(*level);
     if (!page) return refuse(page.error());
-    std::cout << printable(*page);
+    const auto loaded = load::load_level(*level, {.finds_ways = false});
+    if (!loaded) return refuse(loaded.error());
+    std::cout << printable(*page + "  needs      " + render::sentence_of(render::scene_needs(*loaded)) +
+                           "\n");
     return kExitFine;
 }
 

@@ -106,9 +106,9 @@ void Loop::handle_keys() {
 
 // Planes are what path tracing leaves, whatever traces the picture itself.
 void Loop::show_next_plane() {
-    const bool traced = traces_paths_ || plane_ != PlaneView::Picture;
+    const bool traced = traced_.has_value() || plane_ != PlaneView::Picture;
     plane_ = next_of(plane_);
-    if (traced != (traces_paths_ || plane_ != PlaneView::Picture)) view_.forget();
+    if (traced != (traced_.has_value() || plane_ != PlaneView::Picture)) view_.forget();
 }
 
 void Loop::set_paused(bool is_paused) {
@@ -164,8 +164,9 @@ void Loop::run_tick() {
 
 void Loop::expose(const render::SceneView& scene, const render::Camera& camera, glm::ivec2 shown) {
     const Quality quality = quality_of(settings_.quality);
-    if (traces_paths_ || plane_ != PlaneView::Picture) {
-        view_.expose_next(scene, camera, quality.path, frame_, shown, *session_.jobs);
+    if (traced_ || plane_ != PlaneView::Picture) {
+        const render::PathSettings path = following(quality.path, traced_.value_or(render::LightPaths::All));
+        view_.expose_next(scene, camera, path, frame_, shown, *session_.jobs);
     } else {
         view_.expose_next(scene, camera, quality.whitted, frame_, shown, *session_.jobs);
     }

@@ -28,7 +28,7 @@ class Loop {
     ~Loop();
 
     // Pictures by path tracing from now on.
-    void trace_paths() { traces_paths_ = true; }
+    void trace_paths(render::LightPaths lights) { traced_ = lights; }
     // Instead of what was saved.
     void use_quality(present::QualityName quality) { settings_.quality = quality; }
     // Until the player quits. An error is a recording that can no longer be written.
@@ -72,7 +72,7 @@ class Loop {
     std::uint32_t frame_ = 0;
     std::uint32_t seed_ = 0;
     PlaneView plane_ = PlaneView::Picture;
-    bool traces_paths_ = false;
+    std::optional<render::LightPaths> traced_;  // none: Whitted
     bool is_paused_ = false;
     bool shows_profiler_ = false;
     bool wants_to_quit_ = false;

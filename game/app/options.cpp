@@ -70,7 +70,7 @@ void add_machine(CLI::App& command, MachineOptions& machine) {
 
 void add_renderer(CLI::App& command, RendererOptions& o) {
     command.add_option("--renderer", o.renderer, "how light is computed")
-        ->check(CLI::IsMember({"whitted", "path"}))
+        ->check(CLI::IsMember({"whitted", "cook", "path"}))
         ->capture_default_str();
     command.add_option("--sampler", o.sampler, "path: where its random numbers come from")
         ->check(CLI::IsMember({"iid", "jittered", "sobol", "bluenoise"}))
@@ -97,6 +97,15 @@ void add_renderer(CLI::App& command, RendererOptions& o) {
     command.add_option("--sky", o.sky, "path: a picture of all directions for what lies outside")
         ->type_name("FILE");
     command.add_flag("--denoise", o.is_denoised, "path: filter what noise is left");
+    command.add_option("--filter", o.filter, "cook, path: how samples make a pixel: box, tent, gaussian")
+        ->check(CLI::IsMember({"box", "tent", "gaussian"}));
+    command.add_option("--aperture", o.aperture, "cook, path: radius of the lens in metres; 0: all is sharp")
+        ->check(CLI::Range(0.0, 10.0))
+        ->type_name("M");
+    command.add_option("--focus", o.focus, "cook, path: metres to what is sharp")
+        ->check(CLI::Range(1e-3, 1e6))
+        ->capture_default_str()
+        ->type_name("M");
     command.add_flag("!--unbent", o.bends_light,
                      "path: lamps shine straight through clear glass, and nothing focuses them");
 }
@@ -115,6 +124,11 @@ void add_replay(CLI::App& replay, ReplayOptions& o) {
         ->check(CLI::Range(1, 65536))
         ->type_name("N");
     add_renderer(replay, o.renderer);
+    replay
+        .add_option("--shutter", o.renderer.shutter,
+                    "cook, path: how long it is open, in pictures: what the eye's own motion blurs")
+        ->check(CLI::Range(0.0, 1.0))
+        ->type_name("X");
     replay.add_flag("--exr", o.writes_exr, "write pictures as EXR, linear and unexposed, instead of PNG");
     replay.add_option("--audio", o.audio, "write the sound to this file")->type_name("FILE.wav");
     add_size(replay, o.size);
@@ -151,8 +165,8 @@ std::variant<Options, int> parse_options(int argc, char** argv) {
         ->capture_default_str();
     app.add_option("--record", play.record, "where the run is recorded")->type_name("FILE");
     app.add_option("--renderer", play.renderer,
-                   "how light is computed: path is slower, noisier and more true")
-        ->check(CLI::IsMember({"whitted", "path"}))
+                   "how light is computed: cook and path are slower, noisier and more true")
+        ->check(CLI::IsMember({"whitted", "cook", "path"}))
         ->capture_default_str();
     add_quality(app, play.quality);
     app.add_flag("--fullscreen", play.is_fullscreen, "take the whole screen");

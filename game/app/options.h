@@ -34,6 +34,10 @@ struct RendererOptions {
     bool is_unbiased = false;               // path: neither
     bool is_denoised = false;
     bool bends_light = true;  // path: lamps' light through solid glass and off mirrors
+    std::string filter;       // path, cook: box, tent, gaussian; empty: path's box, cook's gaussian
+    float aperture = 0.0f;    // path, cook: radius of the lens, metres
+    float focus = 3.0f;       // path, cook: metres to what is sharp
+    float shutter = 0.0f;     // path, cook, of films: how long it is open, in pictures
 };
 
 struct PlayOptions {

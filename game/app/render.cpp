@@ -51,12 +51,12 @@ int render(const RenderOptions& options) {
     if (!sky) return refuse(sky.error());
     View view(options.size.width, options.size.height);
     const Clock::time_point start = Clock::now();
-    if (options.renderer.renderer == "path") {
+    if (light_paths(options.renderer.renderer)) {
         const render::SceneView scene{*level, snapshot, prepared};
         const float exposure = sketched_exposure(scene, *camera, jobs);
         render::PathSettings settings = path_settings(options.renderer, options.samples_per_pixel, exposure);
         if (*sky) settings.environment = &**sky;
-        view.expose(scene, *camera, settings, 0, jobs);
+        view.expose(scene, with_lens(*camera, options.renderer), settings, 0, jobs);
     } else {
         const render::WhittedSettings settings{.samples_per_pixel = options.samples_per_pixel,
                                                .is_adaptive = options.is_adaptive};

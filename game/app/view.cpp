@@ -68,15 +68,37 @@ Result<render::Camera> camera_named(const world::Level& level, const world::Snap
                  ", and it is not x,y,z,yaw,pitch,fov"};
 }
 
+std::optional<render::LightPaths> light_paths(const std::string& renderer) {
+    if (renderer == "path") return render::LightPaths::All;
+    if (renderer == "cook") return render::LightPaths::Glossy;
+    return std::nullopt;
+}
+
+render::PathSettings following(render::PathSettings settings, render::LightPaths lights) {
+    settings.lights = lights;
+    if (lights == render::LightPaths::Glossy) settings.ends_in_bake = settings.seeks_gleams = false;
+    return settings;
+}
+
+render::Camera with_lens(render::Camera camera, const RendererOptions& options) {
+    camera.aperture = options.aperture;
+    camera.focus = options.focus;
+    return camera;
+}
+
 render::PathSettings path_settings(const RendererOptions& options, int samples_per_pixel, float exposure) {
-    render::PathSettings settings;
+    const bool is_cook = light_paths(options.renderer) == render::LightPaths::Glossy;
+    render::PathSettings settings = is_cook ? render::cook_path() : render::PathSettings();
     settings.samples_per_pixel = samples_per_pixel;
-    settings.max_depth = options.max_depth;
+    if (!is_cook) settings.max_depth = options.max_depth;
     settings.seed = options.seed;
     settings.sampler = options.sampler == "iid"         ? render::SampleKind::Iid
                        : options.sampler == "jittered"  ? render::SampleKind::Jittered
                        : options.sampler == "bluenoise" ? render::SampleKind::BlueNoise
                                                         : render::SampleKind::Sobol;
+    if (options.filter == "box") settings.filter = render::PixelFilter::Box;
+    if (options.filter == "tent") settings.filter = render::PixelFilter::Tent;
+    if (options.filter == "gaussian") settings.filter = render::PixelFilter::Gaussian;
     if (!options.bends_light) settings.caustics = render::Caustics::Unbent;
     if (!options.is_unbiased) {
         if (options.clamp > 0.0f) settings.most_indirect = options.clamp / exposure;

@@ -34,6 +34,15 @@ inline constexpr float kPlayerFov = 1.2217305f;  // radians, vertical: 70 degree
 [[nodiscard]] Result<render::Camera> camera_named(const world::Level& level, const world::Snapshot& snapshot,
                                                   const std::string& text);
 
+// Which surfaces send paths on, of --renderer cook and path; none for whitted, which traces otherwise.
+[[nodiscard]] std::optional<render::LightPaths> light_paths(const std::string& renderer);
+
+// A picture's settings for pictures in a row, by those surfaces.
+[[nodiscard]] render::PathSettings following(render::PathSettings settings, render::LightPaths lights);
+
+// The lens that --aperture and --focus ask for, on a camera.
+[[nodiscard]] render::Camera with_lens(render::Camera camera, const RendererOptions& options);
+
 // What the command line asks of the path tracer, for an eye of this exposure: --clamp goes by what shows as white.
 [[nodiscard]] render::PathSettings path_settings(const RendererOptions& options, int samples_per_pixel,
                                                  float exposure);

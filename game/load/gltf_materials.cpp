@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -238,6 +239,12 @@ Result<world::Material> read_material(const tinygltf::Material& from, TextureSet
     material.normal_scale = clamped(from.normalTexture.scale, -100.0, 100.0);
     uvs = uv_use(infos, material);
     if (extension(from.extensions, "KHR_materials_unlit") != nullptr) make_unlit(material);
+    const Result<float> priority = number_or(from.extras, "priority", 0.0f);
+    if (!priority) return priority.error();
+    constexpr float kMostPriority = 1000.0f;
+    if (!(std::abs(*priority) <= kMostPriority))
+        return Error{fmt::format("priority {} is not between -1000 and 1000", *priority)};
+    material.priority = static_cast<std::int16_t>(std::lround(*priority));
     const Result<world::Surface> surface = read_surface(from, material);
     if (!surface) return surface.error();
     material.surface = *surface;

@@ -105,13 +105,17 @@ void Bsdf::choose_lobes() {
     }
     // By the root of what each gives: a lobe that gives little is so picked more often than it gives, and then counts
     // for less: the gloss of plaster, 4 % of its light, were else one bright pixel in 25.
+    lobes_ = has_layers_ ? kLobes : clear_ > 0.0f ? index_of(Lobe::Glass) + 1 : index_of(Lobe::Glass);
     float total = 0.0f;
-    for (float& own : share) {
-        own = own > 0.0f ? std::sqrt(own) : 0.0f;
-        total += own;
+    for (std::size_t i = 0; i < lobes_; ++i) {
+        share[i] = share[i] > 0.0f ? std::sqrt(share[i]) : 0.0f;
+        total += share[i];
     }
     if (!(total > 0.0f)) return;
-    for (std::size_t i = 0; i < kLobes; ++i) probability_[i] = share[i] / total;
+    for (std::size_t i = 0; i < lobes_; ++i) {
+        probability_[i] = share[i] / total;
+        gives_[i] = probability_[i] > 0.0f;
+    }
     takes_lamps_ = share[index_of(Lobe::Diffuse)] > 0.0f || share[index_of(Lobe::Multi)] > 0.0f ||
                    share[index_of(Lobe::Coat)] > 0.0f || share[index_of(Lobe::Sheen)] > 0.0f ||
                    (!is_smooth_ && (gloss > 0.0f || clear_ > 0.0f));
@@ -144,7 +148,7 @@ float Bsdf::facing_share(const glm::vec3& direction, float cosine) const {
 BsdfSample Bsdf::sample(float u_lobe, const glm::vec2& u) const {
     float below = 0.0f;
     std::size_t pick = kLobes;
-    for (std::size_t i = 0; i < kLobes; ++i) {
+    for (std::size_t i = 0; i < lobes_; ++i) {
         if (!(probability_[i] > 0.0f)) continue;
         pick = i;
         if (u_lobe < below + probability_[i]) break;
@@ -222,8 +226,8 @@ BsdfSample Bsdf::sample_gloss(const glm::vec2& u) const {
 BsdfValue Bsdf::value(const glm::vec3& direction) const {
     const glm::vec3 local = basis_.local_from_world(direction);
     BsdfValue result{};
-    for (std::size_t i = 0; i < kLobes; ++i) {
-        if (probability_[i] > 0.0f) result[i] = value_of(static_cast<Lobe>(i), direction, local);
+    for (std::size_t i = 0; i < lobes_; ++i) {
+        if (gives_[i]) result[i] = value_of(static_cast<Lobe>(i), direction, local);
     }
     return result;
 }

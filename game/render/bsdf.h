@@ -71,6 +71,13 @@ class Bsdf {
     // One lobe of that.
     [[nodiscard]] LobeValue value(Lobe lobe, const glm::vec3& direction) const;
 
+    // Sends nothing on from here by the lobes that scatter light all over the hemisphere (Diffuse, Multi, Sheen): lamps
+    // still shine on them. even_share() is what they give back, towards the eye, of light that is the same from everywhere;
+    // forget_even() takes them out of an answer.
+    void follow_glossy_only();
+    [[nodiscard]] glm::vec3 even_share() const;
+    static void forget_even(BsdfValue& value);
+
     // Whether a lamp can be seen by it at all: not if everything is a mirror or smooth glass.
     [[nodiscard]] bool takes_lamps() const { return takes_lamps_; }
     // Whether light from behind the surface counts.
@@ -144,6 +151,9 @@ class Bsdf {
     glm::vec3 multi_{0.0f};   // colour of light after more bounces
     float coat_left_ = 1.0f;  // what the coat lets out towards the eye over what it lets out on average
     std::array<float, kLobes> probability_{};
+    std::size_t lobes_ =
+        kLobes;  // from here on there are none: glass and layers come last, since few surfaces have them
+    std::array<bool, kLobes> gives_{};
     bool takes_lamps_ = false;
 };
 

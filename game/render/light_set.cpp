@@ -14,6 +14,13 @@
 
 namespace gh::render {
 
+namespace {
+
+constexpr float kJustBefore =
+    1.0f - 0x1p-16f;  // of the way to a panel: rounding of its plane at a cosine of .01
+
+}  // namespace
+
 std::optional<LightSample> LightSet::sample(const rc::SurfacePoint& point, const LightQuery& query,
                                             float u_light, const glm::vec2& u) const {
     const float far = far_share(query);
@@ -85,6 +92,7 @@ LightSample LightSet::sample_light(const Light& light, const rc::SurfacePoint& p
     if (!(shape.density > 0.0f)) return sample;
     sample.direction = shape.direction;
     sample.density = shape.density;
+    sample.part = light.part;
     if (light.lamp != world::kNoIndex) {
         sample.light = light.radiance;
         sample.ray = rc::spawn_ray(point, shape.direction, shape.distance);
@@ -92,8 +100,15 @@ LightSample LightSet::sample_light(const Light& light, const rc::SurfacePoint& p
         sample.ray = rc::spawn_ray(point, shape.direction);
         // From where the ray really starts: parallel to it, a ray passes by some of what is small (.2 % of triangles of
         // 4 mm, from a floor of 20 m), and nobody else's ray finds it instead.
-        sample.ray.direction =
-            glm::normalize(point.position + shape.direction * shape.distance - sample.ray.origin);
+        const glm::vec3 way = point.position + shape.direction * shape.distance - sample.ray.origin;
+        sample.ray.direction = glm::normalize(way);
+        if (light.kind == Kind::Rect) {
+            // A flat panel of one colour is not in its own way: whether anything is before it answers at half the cost of
+            // what the ray meets first.
+            sample.light = light.radiance;
+            sample.ray.t_max = glm::length(way) * kJustBefore;
+            return sample;
+        }
         sample.target_part = light.part;
         sample.target_primitive = light.primitive;
     }

@@ -132,6 +132,7 @@ void LightSet::add_emitter(const Emitter& emitter, std::vector<LightBounds>& bou
         // A sheared instance makes it a parallelogram.
         if (std::abs(glm::dot(u, v)) <= 1e-5f * area && glm::dot(normal, normal) > 0.0f) {
             light.kind = Kind::Rect;
+            light.radiance = sane_light(first.emission);
             light.rect = {to_world * glm::vec4(emitter.centre, 1.0f), u, v, glm::normalize(normal)};
             bounds.push_back(rect_bounds(light.rect, radiance * 4.0f * area, emitter.is_double_sided));
             lights_.push_back(light);

@@ -86,9 +86,11 @@ float LightSet::listed_weight(std::uint32_t lamp, const LightQuery& query) const
 
 LightSet::Listed LightSet::listed_at(const LightQuery& query) const {
     Listed listed;
-    std::size_t count = 0;
+    std::size_t count = 0, place = 0;
     for (const std::uint32_t lamp : view_.prepared.lamp_lists.at(query.position)) {
-        listed.weight += listed_weight(lamp, query);
+        const float own = listed_weight(lamp, query);
+        if (place < Listed::kKept) listed.first[place++] = own;
+        listed.weight += own;
         count += light_of_lamp_[lamp] != world::kNoIndex;
     }
     if (listed.weight > 0.0f) listed.share = count == lights_.size() ? 1.0f : kListedShare;
@@ -107,8 +109,10 @@ std::optional<LightTree::Pick> LightSet::pick_near(const LightQuery& query, floa
     if (u < listed.share) {
         float left = u / listed.share * listed.weight, weight = 0.0f;
         std::uint32_t chosen = world::kNoIndex;
+        std::size_t place = 0;
         for (const std::uint32_t lamp : view_.prepared.lamp_lists.at(query.position)) {
-            const float own = listed_weight(lamp, query);
+            const float own = place < Listed::kKept ? listed.first[place] : listed_weight(lamp, query);
+            ++place;
             if (!(own > 0.0f)) continue;
             chosen = light_of_lamp_[lamp];
             weight = own;

@@ -11,7 +11,10 @@ namespace gh::render {
 
 inline constexpr std::uint8_t kMostPasses = 32;  // holes and sheets on one path
 
-// Dimensions of the sample sequence, at each bounce.
+// Dimensions of the sample sequence, at the eye.
+enum EyePurpose : std::uint32_t { kPixelDimension, kApertureDimension, kShutterDimension };
+
+// And at each bounce.
 enum Purpose : std::uint32_t {
     kLobePurpose,
     kDirectionPurpose,

@@ -1,7 +1,11 @@
 // render/path_tile.h - one tile of a path-traced picture: the paths of all its pixels go on bounce by bounce together,
 // so that their rays can be traced in batches. What a tile makes depends on the tile alone.
 //
+// A kernel is made for what a scene needs (scene_needs.h) and a picture is asked for: one without kClearKernel has no
+// code for glass, holes and what a path is inside of, one without kPlanesKernel none for what filters want to know.
+//
 // Threads   scratch memory for one thread; trace() may be called for any number of tiles, one after the other.
+// Same bits a kernel gives what the one with everything gives, wherever it may be used.
 #pragma once
 
 #include "render/bsdf.h"
@@ -18,11 +22,15 @@
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace gh::render {
 
 inline constexpr int kPathTileSide = 16;
+
+enum KernelFeature : unsigned { kClearKernel = 1, kPlanesKernel = 2 };
+inline constexpr unsigned kAllFeatures = kClearKernel | kPlanesKernel;
 
 // What all tiles of a frame have in common.
 struct PathFrame {
@@ -31,10 +39,12 @@ struct PathFrame {
     const FrameLight& light;
     const LightSet& lights;
     Lens lens;
+    Lens lens_before;  // when the shutter opened; the same where nothing moves
     std::uint32_t number = 0;
     int width = 0, height = 0;
 };
 
+template <unsigned kFeatures>
 class PathTile {
   public:
     explicit PathTile(const PathFrame& frame) : frame_(frame) {}
@@ -46,6 +56,9 @@ class PathTile {
     // Where light goes in filter/gbuffer.h's terms.
     enum class Channel : std::uint8_t { Direct, Indirect, Specular, Clean };
     static constexpr std::size_t kChannels = 4;
+    static constexpr bool kHasClear = (kFeatures & kClearKernel) != 0;
+    static constexpr bool kHasPlanes = (kFeatures & kPlanesKernel) != 0;
+    using Media = std::conditional_t<kHasClear, MediumStack, NoMedia>;
 
     struct Path {
         rc::Ray ray;
@@ -54,7 +67,7 @@ class PathTile {
         LightQuery from;         // the last place that asked lamps
         float density = 0.0f;    // with which it sent the path here; 0: nobody asked, all that shines counts
         float survival = 1.0f;   // what roulette goes by: the weight, were no path sent anywhere on purpose
-        MediumStack media;
+        [[no_unique_address]] Media media;
         float cone_width = 0.0f, cone_angle = 0.0f;
         std::uint32_t sample = 0;
         std::uint32_t branch = 0;   // of paths split at glass
@@ -62,6 +75,7 @@ class PathTile {
         std::uint8_t depth = 0;     // scatterings so far
         std::uint8_t passes = 0;    // holes and sheets so far
         std::uint8_t scatters = 0;  // off anything but mirrors and smooth glass so far
+        std::uint8_t splits = 0;    // at panes so far
         Channel channel = Channel::Clean;
         bool is_eye = true;         // met mirrors and smooth glass only
         bool is_leading = true;     // its surface speaks for the pixel
@@ -93,35 +107,46 @@ class PathTile {
     void add_eye_paths(std::uint32_t first_sample, std::uint32_t count);
     void trace_generation(FrameStats& stats);
     void trace_shadows(FrameStats& stats);
+    void note_what_to_look_through(FrameStats& stats);
     void settle(const Shadow& shadow, const rc::Ray& ray, const rc::Hit& hit, FrameStats& stats);
 
-    // path_tile_shade.cpp
+    // path_tile_shade.inl
     void meet_nothing(const Path& path);
     void meet(Path path, const rc::Hit& hit, FrameStats& stats);
     [[nodiscard]] bool passes_hole(Path& path, const ShadingPoint& at, FrameStats& stats);
     void add_emission(const Path& path, const ShadingPoint& at, const rc::Hit& hit);
     void add_bare_lamps(const Path& path, float t_max);
     void add_met_light(const Path& path, const glm::vec3& light, float lamp_density);
-    void split(const Path& path, const ShadingPoint& at, const Bsdf& bsdf, FrameStats& stats);
     // One place that scatters, and where it might send paths on purpose.
     struct Scatterer {
         const ShadingPoint& at;
         const Bsdf& bsdf;
+        const Media& beyond;  // what a path is in that goes through
+        float gap = 0.0f;     // metres behind the surface in which other skins of glass lie
         GleamGuide guide;
     };
+    // A place on the skin of a body of glass.
+    struct Crossing {
+        Media beyond;
+        Border border;
+        float gap = 0.0f;
+        bool is_seen = true;  // otherwise light goes on as if nothing was there
+    };
+    void split(const Path& path, const Scatterer& here, FrameStats& stats);
     void ask_lamp(const Path& path, const Scatterer& here, bool is_last);
-    void end_in_bake(const Path& path, const ShadingPoint& at, const Bsdf& bsdf);
+    void end_in_bake(const Path& path, const Scatterer& here);
+    void add_baked_light(const Path& path, const Scatterer& here);
     struct Onward : BsdfSample {
         float survival = 1.0f;  // brightest weight, were it not sent on purpose
     };
     [[nodiscard]] Onward pick_onward(const Path& path, const Scatterer& here) const;
-    void send_on(const Path& path, const ShadingPoint& at, const Onward& sample, const Bsdf& bsdf,
-                 FrameStats& stats);
-    [[nodiscard]] Border border_at(const Path& path, const ShadingPoint& at) const;
+    void send_on(const Path& path, const Scatterer& here, const Onward& sample, FrameStats& stats);
+    [[nodiscard]] Crossing crossing_at(const Path& path, const ShadingPoint& at) const;
+    void go_straight_on(Path& path, const ShadingPoint& at, FrameStats& stats);
     [[nodiscard]] bool survives(Path& path) const;
     void add(std::uint16_t pixel, Channel channel, const glm::vec3& light, bool is_indirect);
 
-    // path_tile_planes.cpp
+    // path_tile_planes.inl
     void begin_planes();
     void note_mirror(const Path& path, const ShadingPoint& at, bool passes);
     void note_ray(std::uint16_t pixel);
@@ -130,10 +155,12 @@ class PathTile {
     [[nodiscard]] glm::vec3 position_before(const ShadingPoint& at, const rc::Hit& hit) const;
     [[nodiscard]] std::size_t film_index(std::uint16_t pixel) const;
 
+    [[nodiscard]] rc::Ray eye_ray(const Path& path) const;
+    [[nodiscard]] glm::vec2 picture_point(const Path& path) const;
     [[nodiscard]] std::uint32_t dimension(const Path& path, std::uint32_t purpose) const;
     [[nodiscard]] const SampleSequence& sequence(const Path& path) const { return sequences_[path.pixel]; }
     [[nodiscard]] bool fills_planes(const Path& path) const {
-        return frame_.settings.fills_planes && path.is_leading && path.sample == 0;
+        return kHasPlanes && frame_.settings.fills_planes && path.is_leading && path.sample == 0;
     }
 
     const PathFrame& frame_;
@@ -147,7 +174,7 @@ class PathTile {
     std::vector<rc::Hit> hits_;
     std::vector<rc::Ray> shadow_rays_, target_rays_;
     std::vector<Shadow> shadows_, targets_;
-    std::vector<std::uint8_t> is_blocked_, meets_clear_;
+    std::vector<std::uint8_t> is_blocked_, meets_clear_, looks_through_;
     std::vector<rc::Ray> left_;
     std::vector<std::size_t> left_index_;
 };

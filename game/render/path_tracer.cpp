@@ -1,9 +1,7 @@
 #include "render/path_tracer.h"
 
 #include "base/contracts.h"
-#include "render/path_tile.h"
-
-#include <memory>
+#include "render/path_kernels.h"
 
 namespace gh::render {
 
@@ -22,6 +20,16 @@ PathSettings realtime_path() {
     return settings;
 }
 
+PathSettings cook_path() {
+    PathSettings settings;
+    settings.max_depth = 8;
+    settings.lights = LightPaths::Glossy;
+    settings.filter = PixelFilter::Gaussian;
+    settings.caustics = Caustics::Unbent;
+    settings.seeks_gleams = false;
+    return settings;
+}
+
 void render_path(const SceneView& scene, const Camera& camera, const PathSettings& settings,
                  std::uint32_t frame, const Jobs& jobs, Film& film) {
     EXPECTS(settings.samples_per_pixel >= 1 && settings.samples_per_pixel <= 65536);
@@ -29,16 +37,20 @@ void render_path(const SceneView& scene, const Camera& camera, const PathSetting
     const int width = film.radiance.width, height = film.radiance.height;
     film.stats = {};
     if (width == 0 || height == 0) return;
-    const FrameLight light = frame_light(scene, settings.ends_in_bake);
+    const bool needs_bake = settings.ends_in_bake || settings.lights == LightPaths::Glossy;
+    const FrameLight light = frame_light(scene, needs_bake);
     const LightSet lights(scene, light, settings.environment);
-    const PathFrame shared{.view = scene,
-                           .settings = settings,
-                           .light = light,
-                           .lights = lights,
-                           .lens = Lens(camera, width, height),
-                           .number = frame,
-                           .width = width,
-                           .height = height};
+    const PathFrame shared{
+        .view = scene,
+        .settings = settings,
+        .light = light,
+        .lights = lights,
+        .lens = Lens(camera, width, height),
+        .lens_before =
+            Lens(settings.shutter_from != nullptr ? *settings.shutter_from : camera, width, height),
+        .number = frame,
+        .width = width,
+        .height = height};
     if (settings.fills_planes) {
         film.planes.resize(width, height);
         film.planes.eye = shared.lens.position();
@@ -46,17 +58,12 @@ void render_path(const SceneView& scene, const Camera& camera, const PathSetting
         film.planes.right = shared.lens.right();
         film.planes.down = shared.lens.down();
     }
-    const int across = (width + kPathTileSide - 1) / kPathTileSide;
-    const int down = (height + kPathTileSide - 1) / kPathTileSide;
-    const auto tiles = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
-    std::vector<FrameStats> stats(tiles);
-    std::vector<std::unique_ptr<PathTile>> tracers(static_cast<std::size_t>(jobs.threads()));
-    jobs.run(tiles, [&](std::size_t tile, int worker) {
-        std::unique_ptr<PathTile>& tracer = tracers[static_cast<std::size_t>(worker)];
-        if (tracer == nullptr) tracer = std::make_unique<PathTile>(shared);
-        tracer->trace(static_cast<int>(tile) % across, static_cast<int>(tile) / across, film, stats[tile]);
-    });
-    for (const FrameStats& tile : stats) film.stats += tile;
+    unsigned features = kAllFeatures;
+    if (!settings.uses_general_kernel) {
+        const bool has_clear = scene.prepared.has_clear_parts;
+        features = (has_clear ? kClearKernel : 0u) | (settings.fills_planes ? kPlanesKernel : 0u);
+    }
+    trace_tiles(shared, features, jobs, film);
 }
 
 }  // namespace gh::render

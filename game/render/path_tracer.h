@@ -18,6 +18,7 @@
 #include "base/jobs.h"
 #include "render/camera.h"
 #include "render/film.h"
+#include "render/pixel_filter.h"
 #include "render/sample_sequence.h"
 #include "render/scene_view.h"
 
@@ -40,6 +41,11 @@ enum class LampFinding : std::uint8_t { Both, AskOnly, MeetOnly };
 // takes its share by Fresnel and its colour, and focused light is left out: little noise, not the truth.
 enum class Caustics : std::uint8_t { Traced, Unbent };
 
+// Which surfaces send paths on. All: every one, by whatever it scatters (Kajiya 1986). Glossy: mirrors, glass and gloss
+// only, spread as far as they are rough, while all else gives back what lamps send it and the light that was baked about
+// it: distributed ray tracing (Cook, Porter and Carpenter 1984).
+enum class LightPaths : std::uint8_t { All, Glossy };
+
 struct PathSettings {
     int samples_per_pixel = 1;
     int max_depth = 24;  // scatterings after the eye; 0: only what shines by itself
@@ -50,9 +56,14 @@ struct PathSettings {
     bool seeks_gleams =
         true;  // sends some paths to the insides of lamp shades (gleams.h): less noise, no bias
     bool uses_roulette = true;  // ends faint paths by chance, the others count for them
-    bool jitters = true;        // spreads samples over the pixel; otherwise all go through its middle ...
+    LightPaths lights = LightPaths::All;
+    bool jitters = true;  // spreads samples over the pixel; otherwise all go through its middle ...
     glm::vec2 jitter{
         0.0f};  // ... or so far from it, in pixels: frames that are added up choose it by themselves
+    PixelFilter filter = PixelFilter::Box;  // in what shape they are spread
+    // Where the eye was when the shutter opened; it closes where it is now. Null: it stands. What moves by itself is where
+    // it is when the shutter closes: blur is of the eye's own motion.
+    const Camera* shutter_from = nullptr;
     // Whether the eye's path is split in two at smooth glass, so that each pixel's surfaces do not depend on chance.
     bool splits_glass = false;
     bool fills_planes = false;  // of the film, for filters
@@ -68,10 +79,15 @@ struct PathSettings {
     float least_indirect_roughness = 0.0f;
     float texture_taps = 8.0f;
     const Environment* environment = nullptr;  // instead of the sky
+    // Uses the kernel that can do everything, whatever the scene needs: for tests and measurements.
+    bool uses_general_kernel = false;
 };
 
 // What filters and pictures at 30 a second like best.
 [[nodiscard]] PathSettings realtime_path();
+
+// Cook's pictures: soft shadows, spread reflections, smooth edges, depth of field if the camera has an aperture.
+[[nodiscard]] PathSettings cook_path();
 
 // Fills film.radiance (of the size it has), film.stats and, if asked for, film.planes.
 void render_path(const SceneView& scene, const Camera& camera, const PathSettings& settings,

@@ -68,6 +68,11 @@ Prepared prepare(const world::Level& level, const world::Snapshot& rest, const J
     Prepared prepared;
     prepared.textures = shrink_textures(level, jobs);
     prepared.parts = part_traits(level, jobs);
+    std::vector<std::uint8_t> is_solid;
+    for (const PartTraits& part : prepared.parts) is_solid.push_back(part.is_solid_glass ? 1 : 0);
+    prepared.needs = scene_needs(level, is_solid);
+    for (const world::Material& material : level.materials)
+        prepared.has_textures.push_back(has_textures(material) ? 1 : 0);
     prepared.emitters = find_emitters(level);
     const bool is_split = are_layers_split(level);
     for (const PartTraits& part : prepared.parts) prepared.has_clear_parts |= part.is_clear;

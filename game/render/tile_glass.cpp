@@ -11,6 +11,8 @@ namespace gh::render {
 
 namespace {
 
+constexpr std::uint8_t kMostPasses = 32;  // as tile.cpp has it
+
 float brightest(const glm::vec3& c) {
     return std::max({c.x, c.y, c.z});
 }
@@ -26,14 +28,17 @@ void TileTracer::shade_glass(const PathRay& path, const ShadingPoint& at, FrameS
     PathRay bent = path;
     float eta = at.material->ior;
     if (is_solid) {
-        if (at.is_entering) {
-            bent.media.enter(at.part, *at.material);
-        } else {
-            bent.media.leave(at.part);
+        bent.media.cross(at.part, *at.material, at.is_entering);
+        const Sides sides = sides_of(path.media, bent.media, *at.material, at.is_entering);
+        if (!sides.is_border()) {
+            if (bent.passes >= kMostPasses) return;
+            ++bent.passes;
+            bent.ray = rc::spawn_ray(at.surface, direction);
+            next_.push_back(bent);
+            ++stats.refracted_rays;
+            return;
         }
-        const float here = at.is_entering ? path.media.ior() : at.material->ior;
-        const float beyond = at.is_entering ? at.material->ior : bent.media.ior();
-        eta = beyond / here;
+        eta = sides.eta();
     }
     const Interface border = fresnel(cosine, eta);
     const float mirrored_share = is_solid ? border.reflectance : thin_sheet_reflectance(border.reflectance);

@@ -102,6 +102,7 @@ struct Material {
     AlphaMode alpha_mode = AlphaMode::Opaque;
     Surface surface = Surface::Plaster;
     bool is_double_sided = false;
+    std::int16_t priority = 0;  // of a body of glass: where bodies overlap, the one with the highest is there
     std::uint32_t base_color_texture = kNoIndex;
     std::uint32_t metallic_roughness_texture = kNoIndex;  // G roughness, B metallic
     std::uint32_t normal_texture = kNoIndex;

@@ -1,7 +1,8 @@
-#include "render/path_tile.h"
-
+// The part of a tile that sends rays and gathers what comes of them.
 #include "base/random.h"
 #include "render/clear_way.h"
+#include "render/path_choices.h"
+#include "render/path_tile.h"
 #include "world/layers.h"
 
 #include "raycore/query.h"
@@ -13,12 +14,15 @@ namespace gh::render {
 
 namespace {
 
+// How many hits ahead memory is asked for: a hit takes about a microsecond, a wait for memory a tenth of it.
+constexpr std::size_t kFetchIndices = 4, kFetchCorners = 2;
 constexpr std::uint32_t kPathsTogether =
     1024;  // at least, where there are that many samples: what rays in a batch share
 
 }  // namespace
 
-void PathTile::trace(int tile_x, int tile_y, Film& film, FrameStats& stats) {
+template <unsigned kFeatures>
+void PathTile<kFeatures>::trace(int tile_x, int tile_y, Film& film, FrameStats& stats) {
     film_ = &film;
     x_ = tile_x * kPathTileSide;
     y_ = tile_y * kPathTileSide;
@@ -52,7 +56,7 @@ void PathTile::trace(int tile_x, int tile_y, Film& film, FrameStats& stats) {
         const glm::vec3 direct = channel(Channel::Direct), indirect = channel(Channel::Indirect);
         const glm::vec3 specular = channel(Channel::Specular), clean = channel(Channel::Clean);
         film.radiance.pixels[at] = direct + indirect + specular + clean;
-        if (!frame_.settings.fills_planes) continue;
+        if (!kHasPlanes || !frame_.settings.fills_planes) continue;
         film.planes.direct.pixels[at] = direct;
         film.planes.indirect.pixels[at] = indirect;
         film.planes.specular.pixels[at] = specular;
@@ -60,17 +64,15 @@ void PathTile::trace(int tile_x, int tile_y, Film& film, FrameStats& stats) {
     }
 }
 
-void PathTile::add_eye_paths(std::uint32_t first_sample, std::uint32_t count) {
+template <unsigned kFeatures>
+void PathTile<kFeatures>::add_eye_paths(std::uint32_t first_sample, std::uint32_t count) {
     now_.clear();
     for (std::uint32_t sample = first_sample; sample < first_sample + count; ++sample) {
         for (int i = 0; i < columns_ * rows_; ++i) {
             Path path;
             path.sample = sample;
             path.pixel = static_cast<std::uint16_t>(i);
-            const glm::vec2 at =
-                frame_.settings.jitters ? sequence(path).two(sample, 0) : frame_.settings.jitter + 0.5f;
-            const glm::ivec2 pixel(x_ + i % columns_, y_ + i / columns_);
-            path.ray = frame_.lens.ray(glm::vec2(pixel) + at);
+            path.ray = eye_ray(path);
             path.start = path.ray.origin;
             path.cone_angle = frame_.lens.pixel_angle();
             now_.push_back(path);
@@ -78,7 +80,29 @@ void PathTile::add_eye_paths(std::uint32_t first_sample, std::uint32_t count) {
     }
 }
 
-void PathTile::trace_generation(FrameStats& stats) {
+// Where in the picture the sample lies: by the reconstruction filter's shape, which weighs every sample alike (Ernst et
+// al. 2006).
+template <unsigned kFeatures>
+glm::vec2 PathTile<kFeatures>::picture_point(const Path& path) const {
+    const glm::vec2 pixel(glm::ivec2(x_ + path.pixel % columns_, y_ + path.pixel / columns_));
+    if (!frame_.settings.jitters) return pixel + frame_.settings.jitter + glm::vec2(0.5f);
+    return pixel + filter_point(frame_.settings.filter, sequence(path).two(path.sample, kPixelDimension));
+}
+
+template <unsigned kFeatures>
+rc::Ray PathTile<kFeatures>::eye_ray(const Path& path) const {
+    const glm::vec2 point = picture_point(path);
+    if (frame_.settings.shutter_from == nullptr) {
+        if (!frame_.lens.has_aperture()) return frame_.lens.ray(point);
+        return frame_.lens.ray(point, sequence(path).two(path.sample, kApertureDimension));
+    }
+    const float time = sequence(path).one(path.sample, kShutterDimension);
+    return between(frame_.lens_before, frame_.lens, time)
+        .ray(point, sequence(path).two(path.sample, kApertureDimension));
+}
+
+template <unsigned kFeatures>
+void PathTile<kFeatures>::trace_generation(FrameStats& stats) {
     rays_.clear();
     for (const Path& path : now_) {
         rays_.push_back(path.ray);
@@ -87,6 +111,8 @@ void PathTile::trace_generation(FrameStats& stats) {
     hits_.resize(rays_.size());
     rc::closest_hits(*frame_.view.snapshot.scene, rays_, world::Light, hits_);
     for (std::size_t i = 0; i < now_.size(); ++i) {
+        if (i + kFetchIndices < now_.size()) fetch_indices(frame_.view, hits_[i + kFetchIndices]);
+        if (i + kFetchCorners < now_.size()) fetch_corners(frame_.view, hits_[i + kFetchCorners]);
         add_bare_lamps(now_[i], hits_[i].is_miss() ? rc::kInfinity : hits_[i].t);
         if (hits_[i].is_miss()) {
             meet_nothing(now_[i]);
@@ -97,18 +123,18 @@ void PathTile::trace_generation(FrameStats& stats) {
 }
 
 // Lamps without a mesh ask whether anything is in between, triangles whether they are what the ray meets first.
-void PathTile::trace_shadows(FrameStats& stats) {
+template <unsigned kFeatures>
+void PathTile<kFeatures>::trace_shadows(FrameStats& stats) {
     const rc::Scene& scene = *frame_.view.snapshot.scene;
     stats.shadow_rays += shadow_rays_.size() + target_rays_.size();
     is_blocked_.resize(shadow_rays_.size());
     rc::any_hits(scene, shadow_rays_, frame_.view.prepared.blocking_layers, is_blocked_);
-    const bool may_look_through = frame_.view.prepared.has_clear_parts;
-    const bool is_split = frame_.view.prepared.blocking_layers == world::Blocker;
+    note_what_to_look_through(stats);
     for (const Shadow& shadow : shadows_) note_ray(shadow.pixel);
     for (const Shadow& target : targets_) note_ray(target.pixel);
     for (std::size_t i = 0; i < shadows_.size(); ++i) {
         rc::Hit first;
-        if (may_look_through && (is_split ? is_blocked_[i] == 0 : is_blocked_[i] != 0)) {
+        if (kHasClear && looks_through_[i] != 0) {
             ++stats.glass_shadow_rays;
             if (const auto hit = rc::closest_hit(scene, shadow_rays_[i], world::Light)) first = *hit;
         } else if (is_blocked_[i] != 0) {
@@ -125,11 +151,38 @@ void PathTile::trace_shadows(FrameStats& stats) {
     targets_.clear();
 }
 
-void PathTile::settle(const Shadow& shadow, const rc::Ray& ray, const rc::Hit& hit, FrameStats& stats) {
+// Of the shadow rays that nothing opaque blocks those that meet something clear; or, of a level that does not say which
+// parts are opaque, those that anything blocks.
+template <unsigned kFeatures>
+void PathTile<kFeatures>::note_what_to_look_through(FrameStats& stats) {
+    if constexpr (kHasClear) {
+        looks_through_.assign(shadow_rays_.size(), 0);
+        if (!frame_.view.prepared.has_clear_parts) return;
+        if (frame_.view.prepared.blocking_layers != world::Blocker) {
+            looks_through_ = is_blocked_;
+            return;
+        }
+        left_.clear();
+        left_index_.clear();
+        for (std::size_t i = 0; i < shadow_rays_.size(); ++i) {
+            if (is_blocked_[i] != 0) continue;
+            left_.push_back(shadow_rays_[i]);
+            left_index_.push_back(i);
+        }
+        meets_clear_.resize(left_.size());
+        rc::any_hits(*frame_.view.snapshot.scene, left_, world::Clear, meets_clear_);
+        stats.glass_shadow_rays += left_.size();
+        for (std::size_t i = 0; i < left_.size(); ++i) looks_through_[left_index_[i]] = meets_clear_[i];
+    }
+}
+
+template <unsigned kFeatures>
+void PathTile<kFeatures>::settle(const Shadow& shadow, const rc::Ray& ray, const rc::Hit& hit,
+                                 FrameStats& stats) {
     rc::Hit end = hit;
     glm::vec3 light(1.0f);
     const bool has_target = shadow.target_part != world::kNoIndex;
-    const bool is_clear = !hit.is_miss() && frame_.view.prepared.parts[hit.instance].is_clear;
+    const bool is_clear = kHasClear && !hit.is_miss() && frame_.view.prepared.parts[hit.instance].is_clear;
     if ((is_clear && hit.instance != shadow.target_part) || shadow.inside != nullptr) {
         if (has_target) ++stats.glass_shadow_rays;
         const ClearWay way = follow(frame_.view, ray, hit,
@@ -154,7 +207,9 @@ void PathTile::settle(const Shadow& shadow, const rc::Ray& ray, const rc::Hit& h
 }
 
 // What is not a number is nobody's light: it would spoil the pixel for good.
-void PathTile::add(std::uint16_t pixel, Channel channel, const glm::vec3& light, bool is_indirect) {
+template <unsigned kFeatures>
+void PathTile<kFeatures>::add(std::uint16_t pixel, Channel channel, const glm::vec3& light,
+                              bool is_indirect) {
     const float most = std::max({light.x, light.y, light.z});
     if (!(most > 0.0f) || !(light.x + light.y + light.z < rc::kInfinity)) return;
     float scale = 1.0f;
@@ -162,12 +217,14 @@ void PathTile::add(std::uint16_t pixel, Channel channel, const glm::vec3& light,
     sums_[pixel].light[static_cast<std::size_t>(channel)] += glm::dvec3(light * scale);
 }
 
-std::size_t PathTile::film_index(std::uint16_t pixel) const {
+template <unsigned kFeatures>
+std::size_t PathTile<kFeatures>::film_index(std::uint16_t pixel) const {
     const int x = x_ + pixel % columns_, y = y_ + pixel / columns_;
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width) + static_cast<std::size_t>(x);
 }
 
-std::uint32_t PathTile::dimension(const Path& path, std::uint32_t purpose) const {
+template <unsigned kFeatures>
+std::uint32_t PathTile<kFeatures>::dimension(const Path& path, std::uint32_t purpose) const {
     return purpose + 16u * (path.depth + 1u) + (std::uint32_t{path.passes} << 12) + (path.branch << 20);
 }
 

@@ -26,7 +26,8 @@ float guided_density(const Bsdf& bsdf, const GleamGuide& guide, float own, const
 }  // namespace
 
 // Where the surface sends the path by itself, or now and then towards a gleam: one density for both together.
-PathTile::Onward PathTile::pick_onward(const Path& path, const Scatterer& here) const {
+template <unsigned kFeatures>
+auto PathTile<kFeatures>::pick_onward(const Path& path, const Scatterer& here) const -> Onward {
     const float u_lobe = sequence(path).one(path.sample, dimension(path, kLobePurpose));
     const glm::vec2 u = sequence(path).two(path.sample, dimension(path, kDirectionPurpose));
     Onward onward{here.bsdf.sample(u_lobe, u)};
@@ -43,7 +44,8 @@ PathTile::Onward PathTile::pick_onward(const Path& path, const Scatterer& here) 
     return onward;
 }
 
-void PathTile::ask_lamp(const Path& path, const Scatterer& here, bool is_last) {
+template <unsigned kFeatures>
+void PathTile<kFeatures>::ask_lamp(const Path& path, const Scatterer& here, bool is_last) {
     const ShadingPoint& at = here.at;
     const Bsdf& bsdf = here.bsdf;
     const LightQuery query{at.surface.position, bsdf.is_clear() ? glm::vec3(0.0f) : at.normal};
@@ -52,13 +54,14 @@ void PathTile::ask_lamp(const Path& path, const Scatterer& here, bool is_last) {
                                             sequence(path).two(path.sample, dimension(path, kOnLampPurpose)));
     if (!light) return;
     // What glows without being a lamp is in the bake that a path ends in, and must not be counted twice.
-    const bool is_baked = light->target_part != world::kNoIndex &&
-                          frame_.view.prepared.parts[light->target_part].lamp == world::kNoIndex;
+    const bool is_baked =
+        light->part != world::kNoIndex && frame_.view.prepared.parts[light->part].lamp == world::kNoIndex;
     if (is_last && is_baked) return;
     BsdfValue value = bsdf.value(light->direction);
     LobeValue& base = value[static_cast<std::size_t>(Lobe::Diffuse)];
     if (!here.guide.empty() && base.density > 0.0f)
         base.density = guided_density(bsdf, here.guide, base.density, light->direction);
+    if (is_baked && frame_.settings.lights == LightPaths::Glossy) bsdf.forget_even(value);
     glm::vec3 diffuse(0.0f), gloss(0.0f);
     for (std::size_t i = 0; i < kLobes; ++i) {
         const bool is_alone = is_last || light->is_delta || frame_.settings.lamps == LampFinding::AskOnly;
@@ -82,61 +85,66 @@ void PathTile::ask_lamp(const Path& path, const Scatterer& here, bool is_last) {
         shadow.diffuse_channel = Channel::Direct;
         shadow.gloss_channel = Channel::Specular;
     }
-    MediumStack media = path.media;
-    if (glm::dot(light->direction, at.geometric) < 0.0f &&
-        frame_.view.prepared.parts[at.part].is_solid_glass) {
-        if (at.is_entering) {
-            media.enter(at.part, *at.material);
-        } else {
-            media.leave(at.part);
-        }
-    }
-    shadow.inside = media.top();
+    const bool goes_through = glm::dot(light->direction, at.geometric) < 0.0f;
+    shadow.inside = goes_through ? here.beyond.top() : path.media.top();
     (has_target ? target_rays_ : shadow_rays_).push_back(light->ray);
     (has_target ? targets_ : shadows_).push_back(shadow);
 }
 
 // The last surface of a path gives back what its lamps give it and the light that was baked about it, as if it was dull.
-void PathTile::end_in_bake(const Path& path, const ShadingPoint& at, const Bsdf& bsdf) {
-    ask_lamp(path, {at, bsdf, {}}, true);
-    const glm::vec3 albedo = sane_colour(at.base_color) * (1.0f - bsdf.probability(Lobe::Glass));
+template <unsigned kFeatures>
+void PathTile<kFeatures>::end_in_bake(const Path& path, const Scatterer& here) {
+    ask_lamp(path, here, true);
+    const ShadingPoint& at = here.at;
+    const glm::vec3 albedo = sane_colour(at.base_color) * (1.0f - here.bsdf.probability(Lobe::Glass));
     const glm::vec3 light = frame_.light.ambient.irradiance(at.surface.position, at.normal);
     add(path.pixel, path.channel, path.weight * albedo * light * (1.0f / kPi), !path.is_eye);
 }
 
+// What the lobes that send no path on give back of the light that was baked about the place.
+template <unsigned kFeatures>
+void PathTile<kFeatures>::add_baked_light(const Path& path, const Scatterer& here) {
+    const glm::vec3 share = here.bsdf.even_share();
+    if (!(brightest(share) > 0.0f)) return;
+    const glm::vec3 light = frame_.light.ambient.irradiance(here.at.surface.position, here.at.normal);
+    const Channel channel = path.is_eye && path.is_leading ? Channel::Indirect : path.channel;
+    add(path.pixel, channel, path.weight * share * light * (1.0f / kPi), !path.is_eye);
+}
+
 // Both what is mirrored and what goes through, each by its share.
-void PathTile::split(const Path& path, const ShadingPoint& at, const Bsdf& bsdf, FrameStats& stats) {
-    const float mirrored = bsdf.mirrored_probability();
+template <unsigned kFeatures>
+void PathTile<kFeatures>::split(const Path& path, const Scatterer& here, FrameStats& stats) {
+    const float mirrored = here.bsdf.mirrored_probability();
     for (const bool passes : {false, true}) {
         const float share = passes ? 1.0f - mirrored : mirrored;
         if (!(share > 0.0f)) continue;
         Path part = path;
         part.weight *= share;
+        ++part.splits;
         part.branch = path.branch * 2u + (passes ? 1u : 0u);
         part.is_leading = path.is_leading && share > 0.5f;
         if (!part.is_leading) part.channel = Channel::Specular;
-        Onward onward{bsdf.sample(passes ? 0x1.fffffep-1f : 0.0f, glm::vec2(0.0f))};
+        Onward onward{here.bsdf.sample(passes ? 0x1.fffffep-1f : 0.0f, glm::vec2(0.0f))};
         onward.survival = brightest(onward.weight);
         part.survival *= share;
-        send_on(part, at, onward, bsdf, stats);
+        send_on(part, here, onward, stats);
     }
 }
 
-void PathTile::send_on(const Path& path, const ShadingPoint& at, const Onward& sample, const Bsdf& bsdf,
-                       FrameStats& stats) {
+template <unsigned kFeatures>
+void PathTile<kFeatures>::send_on(const Path& path, const Scatterer& here, const Onward& sample,
+                                  FrameStats& stats) {
     if (!(brightest(sample.weight) > 0.0f)) return;
+    const ShadingPoint& at = here.at;
+    const Bsdf& bsdf = here.bsdf;
     Path onward = path;
     onward.weight *= sample.weight;
     onward.survival *= sample.survival;
     onward.ray = rc::spawn_ray(at.surface, sample.direction);
-    const bool is_straight = sample.is_straight && is_smooth_glass(*at.material);
-    if (sample.passes && frame_.view.prepared.parts[at.part].is_solid_glass) {
-        if (at.is_entering) {
-            onward.media.enter(at.part, *at.material);
-        } else {
-            onward.media.leave(at.part);
-        }
-    }
+    const bool is_straight = kHasClear && sample.is_straight && is_smooth_glass(*at.material);
+    if (kHasClear && sample.passes) onward.media = here.beyond;
+    if (kHasClear && here.gap > 0.0f)
+        onward.ray.t_min = here.gap / std::max(std::abs(glm::dot(sample.direction, at.geometric)), 1e-2f);
     if (fills_planes(path) && path.is_eye && !bsdf.takes_lamps()) note_mirror(path, at, sample.passes);
     if (is_straight && path.passes < kMostPasses) {
         ++onward.passes;
@@ -169,7 +177,8 @@ void PathTile::send_on(const Path& path, const ShadingPoint& at, const Onward& s
     next_.push_back(onward);
 }
 
-bool PathTile::survives(Path& path) const {
+template <unsigned kFeatures>
+bool PathTile<kFeatures>::survives(Path& path) const {
     if (!frame_.settings.uses_roulette || path.depth <= kRouletteDepth) return true;
     // Radiance is squeezed in glass, and comes out again as it was.
     const float ior = sane(path.media.ior(), 1.0f, 5.0f);

@@ -8,17 +8,20 @@
 
 namespace gh::render {
 
-void PathTile::begin_planes() {
-    if (!frame_.settings.fills_planes) return;
+template <unsigned kFeatures>
+void PathTile<kFeatures>::begin_planes() {
+    if (!kHasPlanes || !frame_.settings.fills_planes) return;
     unfolding_.assign(static_cast<std::size_t>(columns_ * rows_), {});
 }
 
-void PathTile::note_ray(std::uint16_t pixel) {
-    if (frame_.settings.fills_planes) film_->planes.rays[film_index(pixel)] += 1.0f;
+template <unsigned kFeatures>
+void PathTile<kFeatures>::note_ray(std::uint16_t pixel) {
+    if (kHasPlanes && frame_.settings.fills_planes) film_->planes.rays[film_index(pixel)] += 1.0f;
 }
 
 // Something in the way of the eye that turns it.
-void PathTile::note_mirror(const Path& path, const ShadingPoint& at, bool passes) {
+template <unsigned kFeatures>
+void PathTile<kFeatures>::note_mirror(const Path& path, const ShadingPoint& at, bool passes) {
     Unfolding& unfolding = unfolding_[path.pixel];
     unfolding.length += glm::distance(path.ray.origin, at.surface.position);
     if (passes) return;
@@ -26,7 +29,8 @@ void PathTile::note_mirror(const Path& path, const ShadingPoint& at, bool passes
     unfolding.turned = unfolding.turned * (glm::mat3(1.0f) - 2.0f * glm::outerProduct(n, n));
 }
 
-glm::vec3 PathTile::position_before(const ShadingPoint& at, const rc::Hit& hit) const {
+template <unsigned kFeatures>
+glm::vec3 PathTile<kFeatures>::position_before(const ShadingPoint& at, const rc::Hit& hit) const {
     if (frame_.view.before == nullptr) return at.surface.position;
     const rc::Scene& scene = *frame_.view.before->scene;
     if (hit.instance >= scene.instance_count()) return at.surface.position;
@@ -35,7 +39,9 @@ glm::vec3 PathTile::position_before(const ShadingPoint& at, const rc::Hit& hit) 
     return scene.instance(hit.instance).world_from_instance * glm::vec4(local, 1.0f);
 }
 
-void PathTile::note_surface(const Path& path, const ShadingPoint& at, const rc::Hit& hit, const Bsdf& bsdf) {
+template <unsigned kFeatures>
+void PathTile<kFeatures>::note_surface(const Path& path, const ShadingPoint& at, const rc::Hit& hit,
+                                       const Bsdf& bsdf) {
     if (!fills_planes(path)) return;
     Unfolding& unfolding = unfolding_[path.pixel];
     if (unfolding.is_done) return;
@@ -44,10 +50,7 @@ void PathTile::note_surface(const Path& path, const ShadingPoint& at, const rc::
     const std::size_t i = film_index(path.pixel);
     glm::vec3 position = at.surface.position;
     if (path.depth + path.passes > 0) {
-        const glm::vec3 point(x_ + path.pixel % columns_, y_ + path.pixel / columns_, 0.0f);
-        const glm::vec2 within =
-            frame_.settings.jitters ? sequence(path).two(path.sample, 0) : frame_.settings.jitter + 0.5f;
-        const glm::vec3 way = frame_.lens.ray(glm::vec2(point.x, point.y) + within).direction;
+        const glm::vec3 way = frame_.lens.ray(picture_point(path)).direction;
         const float length = unfolding.length + glm::distance(path.ray.origin, at.surface.position);
         position = frame_.lens.position() + way * length;
     }
@@ -61,7 +64,8 @@ void PathTile::note_surface(const Path& path, const ShadingPoint& at, const rc::
 }
 
 // How far off the thing is that the main surface mirrors.
-void PathTile::note_reflection(const Path& path, float t) {
+template <unsigned kFeatures>
+void PathTile<kFeatures>::note_reflection(const Path& path, float t) {
     if (!fills_planes(path) || !path.is_first_leg || path.channel != Channel::Specular) return;
     film_->planes.reflected[film_index(path.pixel)] = t;
 }

@@ -5,6 +5,7 @@
 #include "render/path_tile.h"
 #include "render/sane.h"
 #include "render/sky.h"
+#include "render/touching_glass.h"
 #include "render/transmittance.h"
 
 #include <glm/geometric.hpp>
@@ -20,7 +21,8 @@ constexpr int kMostSplit = 4;          // panes one behind the other that split 
 
 }  // namespace
 
-void PathTile::meet_nothing(const Path& path) {
+template <unsigned kFeatures>
+void PathTile<kFeatures>::meet_nothing(const Path& path) {
     const glm::vec3& way = path.ray.direction;
     if (const Environment* environment = frame_.settings.environment) {
         add_met_light(path, environment->radiance(way), frame_.lights.environment_density(path.from, way));
@@ -29,7 +31,8 @@ void PathTile::meet_nothing(const Path& path) {
     add_met_light(path, sky_radiance(frame_.light.sun, way), 0.0f);
 }
 
-void PathTile::add_bare_lamps(const Path& path, float t_max) {
+template <unsigned kFeatures>
+void PathTile<kFeatures>::add_bare_lamps(const Path& path, float t_max) {
     // The eye does not see what has no surface.
     if (path.is_eye && path.depth == 0) return;
     frame_.lights.visit_bare(
@@ -38,7 +41,8 @@ void PathTile::add_bare_lamps(const Path& path, float t_max) {
 }
 
 // Light that a path ran into, while a lamp might have been asked for it with `lamp_density`.
-void PathTile::add_met_light(const Path& path, const glm::vec3& light, float lamp_density) {
+template <unsigned kFeatures>
+void PathTile<kFeatures>::add_met_light(const Path& path, const glm::vec3& light, float lamp_density) {
     float share = 1.0f;
     const LampFinding finding = frame_.settings.lamps;
     if (path.density > 0.0f && lamp_density > 0.0f && finding != LampFinding::MeetOnly) {
@@ -54,65 +58,83 @@ void PathTile::add_met_light(const Path& path, const glm::vec3& light, float lam
     add(path.pixel, channel, path.weight * light * share, !path.is_eye && !path.is_first_leg);
 }
 
-void PathTile::meet(Path path, const rc::Hit& hit, FrameStats& stats) {
+template <unsigned kFeatures>
+void PathTile<kFeatures>::meet(Path path, const rc::Hit& hit, FrameStats& stats) {
     path.cone_width += path.cone_angle * hit.t;
     const float taps =
         path.is_eye ? frame_.settings.texture_taps : std::min(kIndirectTaps, frame_.settings.texture_taps);
     ShadingPoint at = shading_point(frame_.view, path.ray, hit, path.cone_width, taps);
-    if (const world::Material* glass = path.media.top(); glass != nullptr) {
+    if (const world::Material* glass = path.media.top(); kHasClear && glass != nullptr) {
         const glm::vec3 left = sane_colour(absorbed(*glass, glm::distance(path.start, at.surface.position)));
         path.weight *= left;
         path.survival *= brightest(left);
     }
-    note_reflection(path, glm::distance(path.start, at.surface.position));
+    if constexpr (kHasPlanes) note_reflection(path, glm::distance(path.start, at.surface.position));
     path.start = at.surface.position;
-    if (passes_hole(path, at, stats)) return;
+    if (kHasClear && passes_hole(path, at, stats)) return;
     add_emission(path, at, hit);
     if (path.is_rough && !(at.material->transmission > 0.0f))
         at.roughness = std::max(at.roughness, frame_.settings.least_indirect_roughness);
 
-    const Bsdf bsdf(at, -path.ray.direction, border_at(path, at), frame_.view.prepared.energy);
-    const bool is_main = path.is_eye && (bsdf.takes_lamps() || path.depth >= frame_.settings.max_depth);
-    if (is_main) {
-        note_surface(path, at, hit, bsdf);
-        path.channel = path.is_leading ? Channel::Clean : Channel::Specular;
-    }
-    if (path.depth >= frame_.settings.max_depth) return;
-    if (frame_.settings.ends_in_bake && path.scatters >= frame_.settings.max_scatters && bsdf.takes_lamps()) {
-        end_in_bake(path, at, bsdf);
+    const Crossing crossing = crossing_at(path, at);
+    if (kHasClear && !crossing.is_seen) {
+        path.media = crossing.beyond;
+        go_straight_on(path, at, stats);
         return;
     }
-    const bool splits = frame_.settings.splits_glass && path.is_eye && !bsdf.takes_lamps() &&
-                        bsdf.probability(Lobe::Glass) == 1.0f && path.depth + path.passes < kMostSplit;
+    Bsdf bsdf(at, -path.ray.direction, crossing.border, frame_.view.prepared.energy);
+    const bool is_main = path.is_eye && (bsdf.takes_lamps() || path.depth >= frame_.settings.max_depth);
+    if (is_main) {
+        if constexpr (kHasPlanes) note_surface(path, at, hit, bsdf);
+        path.channel = path.is_leading ? Channel::Clean : Channel::Specular;
+    }
+    Scatterer here{at, bsdf, crossing.beyond, crossing.gap, {}};
+    if (path.depth >= frame_.settings.max_depth) return;
+    if (frame_.settings.ends_in_bake && path.scatters >= frame_.settings.max_scatters && bsdf.takes_lamps()) {
+        end_in_bake(path, here);
+        return;
+    }
+    const bool splits = kHasClear && frame_.settings.splits_glass && path.is_eye && !bsdf.takes_lamps() &&
+                        bsdf.probability(Lobe::Glass) == 1.0f && path.splits < kMostSplit;
     if (splits) {
-        split(path, at, bsdf, stats);
+        split(path, here, stats);
         return;
     }
     const bool asks = bsdf.takes_lamps() && frame_.settings.lamps != LampFinding::MeetOnly;
-    Scatterer here{at, bsdf, {}};
-    if (frame_.settings.seeks_gleams && bsdf.probability(Lobe::Diffuse) > 0.0f)
+    if (frame_.settings.lights == LightPaths::Glossy) {
+        add_baked_light(path, here);
+        bsdf.follow_glossy_only();
+    } else if (frame_.settings.seeks_gleams && bsdf.probability(Lobe::Diffuse) > 0.0f) {
         here.guide = frame_.lights.gleams_at({at.surface.position, at.normal});
+    }
     if (asks) ask_lamp(path, here, false);
-    send_on(path, at, pick_onward(path, here), bsdf, stats);
+    send_on(path, here, pick_onward(path, here), stats);
 }
 
 // Cut-out and blended materials let some paths go on as if nothing was there.
-bool PathTile::passes_hole(Path& path, const ShadingPoint& at, FrameStats& stats) {
+template <unsigned kFeatures>
+bool PathTile<kFeatures>::passes_hole(Path& path, const ShadingPoint& at, FrameStats& stats) {
     float covered = 1.0f;
     if (at.material->alpha_mode == world::AlphaMode::Mask)
         covered = at.alpha < at.material->alpha_cutoff ? 0.0f : 1.0f;
     if (at.material->alpha_mode == world::AlphaMode::Blend) covered = sane(at.alpha, 0.0f, 1.0f);
     if (covered == 1.0f) return false;
     if (sequence(path).one(path.sample, dimension(path, kHolePurpose)) < covered) return false;
-    if (path.passes >= kMostPasses) return true;
+    go_straight_on(path, at, stats);
+    return true;
+}
+
+template <unsigned kFeatures>
+void PathTile<kFeatures>::go_straight_on(Path& path, const ShadingPoint& at, FrameStats& stats) {
+    if (path.passes >= kMostPasses) return;
     ++path.passes;
     path.ray = rc::spawn_ray(at.surface, path.ray.direction);
     ++stats.refracted_rays;
     next_.push_back(path);
-    return true;
 }
 
-void PathTile::add_emission(const Path& path, const ShadingPoint& at, const rc::Hit& hit) {
+template <unsigned kFeatures>
+void PathTile<kFeatures>::add_emission(const Path& path, const ShadingPoint& at, const rc::Hit& hit) {
     if (frame_.light.emission_on[at.part] == 0) return;
     if (!at.is_entering && !at.material->is_double_sided) return;
     const glm::vec3 light = sane_light(at.emission);
@@ -123,13 +145,29 @@ void PathTile::add_emission(const Path& path, const ShadingPoint& at, const rc::
     add_met_light(path, light, density);
 }
 
-Border PathTile::border_at(const Path& path, const ShadingPoint& at) const {
-    const float own = sane(at.material->ior, 1.0f, 5.0f);
-    if (!frame_.view.prepared.parts[at.part].is_solid_glass) return {.eta = own, .is_thin = true};
-    if (at.is_entering) return {.eta = own / sane(path.media.ior(), 1.0f, 5.0f)};
-    MediumStack beyond = path.media;
-    beyond.leave(at.part);
-    return {.eta = sane(beyond.ior(), 1.0f, 5.0f) / own};
+// What a path is in behind the surface, should it go through.
+template <unsigned kFeatures>
+auto PathTile<kFeatures>::crossing_at(const Path& path, const ShadingPoint& at) const -> Crossing {
+    Crossing crossing{.beyond = path.media, .border = {}};
+    if constexpr (kHasClear) {
+        crossing.border = {.eta = sane(at.material->ior, 1.0f, 5.0f), .is_thin = true};
+        if (!frame_.view.prepared.parts[at.part].is_solid_glass || !(at.material->transmission > 0.0f))
+            return crossing;
+        crossing.beyond.cross(at.part, *at.material, at.is_entering);
+        if (frame_.view.prepared.needs.has(Need::NestedGlass)) {
+            const Touches touches = touches_at(frame_.view, at, path.ray.direction);
+            for (std::size_t i = 0; i < touches.count; ++i)
+                crossing.beyond.cross(touches.other[i].part, *touches.other[i].glass,
+                                      touches.other[i].enters);
+            if (touches.count > 0) crossing.gap = 2.0f * touches.gap;
+        }
+        const Sides sides = sides_of(path.media, crossing.beyond, *at.material, at.is_entering);
+        crossing.border = {.eta = sides.eta()};
+        // Nor is a border without a colour between two glasses of one index.
+        const bool is_matched = crossing.border.eta == 1.0f && at.base_color == glm::vec3(1.0f);
+        crossing.is_seen = sides.is_border() && !is_matched;
+    }
+    return crossing;
 }
 
 }  // namespace gh::render

@@ -1,0 +1,72 @@
+// render/scene_needs.h - what of all that the renderer can do a scene asks for: nothing is modelled that nobody would see.
+//
+// Who goes by it: path_tracer picks the kernel that has no code for clear things where there are none, and the one that
+// has none for planes where no filter wants them; a tile keeps no stack of glass bodies where none bends light, and asks
+// for what touches only where bodies of glass do; shading_point looks up no uv where a material has no texture;
+// the rest are branches that are never taken, measured at under 2 % together (game/README.md has the table).
+//
+// Cost      finding: once a level, about a millisecond for a museum; most of it asks which glass closes a volume.
+// Same bits a function of the level. A kernel made for a scene's needs gives the bits of the one made for all.
+#pragma once
+
+#include "world/level.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace gh::render {
+
+enum class Need : std::uint8_t {
+    Textures,
+    NormalMaps,
+    Gloss,        // something mirrors, however dull: not all is Lambert's
+    Mirrors,      // so smoothly that rays do not spread
+    Holes,        // cut-out or blended
+    Sheets,       // of glass without a thickness
+    SolidGlass,   // light bends
+    NestedGlass,  // bodies of glass that touch, overlap or lie in each other
+    RoughGlass,
+    Absorption,
+    Varnish,
+    Cloth,
+    Anisotropy,
+    Emitters,   // meshes that shine
+    BareLamps,  // lamps that are none
+    Suns,
+    ManyLights,  // so many that a light tree is worth it
+    Deforming,   // bodies that bend
+    Moving       // parts that go from place to place
+};
+inline constexpr std::size_t kNeeds = 19;
+
+class SceneNeeds {
+  public:
+    [[nodiscard]] bool has(Need need) const { return (bits_ & bit(need)) != 0; }
+    void add(Need need, bool is_needed = true) { bits_ |= is_needed ? bit(need) : 0u; }
+    [[nodiscard]] bool has_clear() const {
+        return has(Need::Holes) || has(Need::Sheets) || has(Need::SolidGlass);
+    }
+
+    friend bool operator==(const SceneNeeds&, const SceneNeeds&) = default;
+
+  private:
+    [[nodiscard]] static constexpr std::uint32_t bit(Need need) {
+        return std::uint32_t{1} << static_cast<unsigned>(need);
+    }
+    std::uint32_t bits_ = 0;
+};
+
+// `is_solid`: one a part, whether its glass closes a volume. Materials that no triangle has count for nothing.
+[[nodiscard]] SceneNeeds scene_needs(const world::Level& level, const std::vector<std::uint8_t>& is_solid);
+// The same for who has not asked about the glass yet.
+[[nodiscard]] SceneNeeds scene_needs(const world::Level& level);
+
+// "textures, gloss, solid glass"; "nothing" for none.
+[[nodiscard]] std::string sentence_of(const SceneNeeds& needs);
+
+// Whether shading has to look anything up by uv on it.
+[[nodiscard]] bool has_textures(const world::Material& material);
+
+}  // namespace gh::render
