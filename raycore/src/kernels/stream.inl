@@ -128,7 +128,7 @@ class Stream {
         const RayIn& ray = rays_[walker.ray];
         if (!is_single_instance(scene_) && takes_world_ray(scene_, id)) {
             walker.local.ray = walker.above.ray;
-            walker.local.box = walker.above.box;
+            aim_in_world(scene_, walker.local.ray, sink.t_min, sink.t_limit, walker.local.box);
             stand_at_root(scene_, id, ray, walker.local);
         } else if (!enter_instance(scene_, id, ray, sink.t_min, sink.t_limit, walker.local)) {
             return false;

@@ -14,10 +14,12 @@ namespace {
 struct Candidate {
     float t;
     std::uint32_t instance, primitive;
-    double weight1, weight2, weight_sum;  // barycentrics u = weight1 / weight_sum, v = weight2 / weight_sum
+    // Barycentrics u = weight1 / weight_sum, v = weight2 / weight_sum; a sum of zero says they are divided already.
+    double weight1, weight2, weight_sum;
 };
 
 static inline HitOut to_hit(const Candidate& c) {
+    if (c.weight_sum == 0.0) return {c.t, float(c.weight1), float(c.weight2), c.primitive, c.instance};
     return {c.t, float(c.weight1 / c.weight_sum), float(c.weight2 / c.weight_sum), c.primitive, c.instance};
 }
 
