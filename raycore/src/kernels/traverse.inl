@@ -147,6 +147,24 @@ static inline bool test_lanes(const Leaf& leaf, const Corners& corners, std::uin
     return Sink::kIsAny;
 }
 
+// The same one lane after the other, for a sink that wants them all: hardly ever are there two. In a stream, which waits
+// for nothing else, eight decisions at once would cost more than one.
+template <class Sink>
+static inline void test_lanes_in_turn(const Leaf& leaf, std::uint32_t maybe, InstanceRay& local, Sink& sink) {
+    for (; maybe != 0; maybe &= maybe - 1) {
+        const auto lane = std::uint32_t(__builtin_ctz(maybe));
+        Candidate candidate;
+        const bool is_met = decide_one(leaf.rows, leaf.count, lane, local.ray, candidate);
+        __builtin_memcpy(&candidate.primitive, leaf.rows + 9 * leaf.count + lane,
+                         sizeof(candidate.primitive));
+        const bool is_within = (sink.t_min <= candidate.t) & (candidate.t <= sink.t_limit);
+        if (!(is_met & is_within & (candidate.primitive != local.skip))) continue;
+        candidate.instance = local.instance;
+        sink.take(candidate);
+        local.box.s_max = s_limit(local.box, sink.t_limit);
+    }
+}
+
 // Lanes that may be met.
 static inline std::uint32_t filter(const Leaf& leaf, const Corners& corners) {
     return maybe_bits(corners) & ((1u << leaf.count) - 1);
