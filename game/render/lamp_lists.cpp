@@ -55,13 +55,14 @@ float distance_to_cell(const Grid& grid, const glm::ivec3& cell, const glm::vec3
     return glm::distance(position, glm::clamp(position, low, high));
 }
 
-std::vector<std::uint8_t> cells_that_see(const Search& search, std::uint32_t lamp_id) {
+// For each cell, the share of looks at the lamp that met nothing.
+std::vector<float> open_shares(const Search& search, std::uint32_t lamp_id) {
     const world::Lamp& lamp = search.level.lamps[lamp_id];
     const Grid& grid = search.grid;
-    std::vector<std::uint8_t> is_seen(grid.cell_count(), 0);
+    std::vector<float> open(grid.cell_count(), 0.0f);
     std::vector<rc::Ray> rays;
     std::vector<std::uint8_t> is_blocked;
-    for (std::size_t c = 0; c < is_seen.size(); ++c) {
+    for (std::size_t c = 0; c < open.size(); ++c) {
         const glm::ivec3 cell = grid.cell_from_index(c);
         const float distance = distance_to_cell(grid, cell, lamp.position);
         if (lamp.shape != world::LampShape::Sun && !(lamp_bound(lamp, distance) > kFaintest)) continue;
@@ -73,31 +74,36 @@ std::vector<std::uint8_t> cells_that_see(const Search& search, std::uint32_t lam
         }
         is_blocked.resize(rays.size());
         rc::any_hits(search.walls, rays, rc::kAllLayers, is_blocked);
-        is_seen[c] = std::find(is_blocked.begin(), is_blocked.end(), 0) != is_blocked.end() ? 1 : 0;
+        const auto free = std::count(is_blocked.begin(), is_blocked.end(), 0);
+        if (free > 0) open[c] = static_cast<float>(free) / static_cast<float>(rays.size());
     }
-    return is_seen;
+    return open;
 }
 
-// Every cell also gets what its 26 neighbours see.
-std::vector<std::uint8_t> widened(const Grid& grid, const std::vector<std::uint8_t>& is_seen) {
-    std::vector<std::uint8_t> wide(is_seen.size(), 0);
+// Half of what a cell sees itself and half of what it and its 26 neighbours see: 0 only where none of them sees any.
+std::vector<float> widened(const Grid& grid, const std::vector<float>& open) {
+    std::vector<float> wide(open.size());
     for (std::size_t c = 0; c < wide.size(); ++c) {
         const glm::ivec3 cell = grid.cell_from_index(c);
         const glm::ivec3 low = glm::max(cell - 1, glm::ivec3(0)), high = glm::min(cell + 1, grid.cells - 1);
+        float sum = 0.0f;
+        int count = 0;
         for (int z = low.z; z <= high.z; ++z) {
             for (int y = low.y; y <= high.y; ++y) {
-                for (int x = low.x; x <= high.x; ++x) wide[c] |= is_seen[grid.cell_index({x, y, z})];
+                for (int x = low.x; x <= high.x; ++x, ++count) sum += open[grid.cell_index({x, y, z})];
             }
         }
+        wide[c] = 0.5f * (open[c] + sum / static_cast<float>(count));
     }
     return wide;
 }
 
 }  // namespace
 
-std::span<const std::uint32_t> LampLists::at(const glm::vec3& position) const {
+LampLists::Near LampLists::near(const glm::vec3& position) const {
     const std::size_t cell = grid.cell_index(grid.cell_at(position));
-    return std::span(lamps).subspan(begin[cell], begin[cell + 1] - begin[cell]);
+    const std::size_t first = begin[cell], count = begin[cell + 1] - first;
+    return {std::span(lamps).subspan(first, count), std::span(open).subspan(first, count)};
 }
 
 LampLists find_lamp_lists(const world::Level& level, const world::Snapshot& snapshot,
@@ -105,15 +111,17 @@ LampLists find_lamp_lists(const world::Level& level, const world::Snapshot& snap
                           const Jobs& jobs) {
     const std::shared_ptr<const rc::Scene> walls = lasting_walls(level, *snapshot.scene);
     const Search search{level, *walls, bulbs, grid, rays_per_pair};
-    std::vector<std::vector<std::uint8_t>> is_seen(level.lamps.size());
-    jobs.run(is_seen.size(), [&](std::size_t lamp, int) {
-        is_seen[lamp] = widened(grid, cells_that_see(search, static_cast<std::uint32_t>(lamp)));
+    std::vector<std::vector<float>> open(level.lamps.size());
+    jobs.run(open.size(), [&](std::size_t lamp, int) {
+        open[lamp] = widened(grid, open_shares(search, static_cast<std::uint32_t>(lamp)));
     });
-    LampLists lists{.grid = grid, .begin = {0}, .lamps = {}};
+    LampLists lists{.grid = grid, .begin = {0}, .lamps = {}, .open = {}};
     lists.begin.reserve(grid.cell_count() + 1);
     for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
-        for (std::uint32_t lamp = 0; lamp < is_seen.size(); ++lamp) {
-            if (is_seen[lamp][cell] != 0) lists.lamps.push_back(lamp);
+        for (std::uint32_t lamp = 0; lamp < open.size(); ++lamp) {
+            if (!(open[lamp][cell] > 0.0f)) continue;
+            lists.lamps.push_back(lamp);
+            lists.open.push_back(open[lamp][cell]);
         }
         lists.begin.push_back(static_cast<std::uint32_t>(lists.lamps.size()));
     }

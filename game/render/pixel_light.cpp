@@ -1,5 +1,6 @@
 #include "render/pixel_light.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -17,11 +18,11 @@ constexpr std::array<float, 5> kWindow = {0.5f, 1.0f, 1.0f, 1.0f,
                                           0.5f};  // both ends are the same place of the pattern
 
 bool is_uniform(const PixelLight& p) {
-    return p.size == 0.0f || p.shared.arrived == p.shared.tried;
+    return p.size == 0.0f || arrives_whole(p.shared);
 }
 
 float ratio(float part, float whole) {
-    return whole > 0.0f ? part / whole : 0.0f;
+    return whole > 0.0f ? std::max(0.0f, part) / whole : 0.0f;
 }
 
 // The share of light that gets through to this pixel's surface, from its neighbours as much as from itself.
@@ -31,7 +32,7 @@ glm::vec3 shared_light(const std::vector<PixelLight>& pixels, int width, int hei
                       static_cast<std::size_t>(i)];
     };
     const PixelLight& centre = at(x, y);
-    glm::vec3 tried(0.0f), arrived(0.0f);
+    glm::vec3 unshadowed(0.0f), arrived(0.0f);
     for (int j = std::max(0, y - 2); j <= std::min(height - 1, y + 2); ++j) {
         for (int i = std::max(0, x - 2); i <= std::min(width - 1, x + 2); ++i) {
             const PixelLight& other = at(i, j);
@@ -40,20 +41,21 @@ glm::vec3 shared_light(const std::vector<PixelLight>& pixels, int width, int hei
                 continue;
             const float weight =
                 kWindow[static_cast<std::size_t>(i - x + 2)] * kWindow[static_cast<std::size_t>(j - y + 2)];
-            tried += other.shared.tried * weight;
+            unshadowed += other.shared.unshadowed * weight;
             arrived += other.shared.arrived * weight;
         }
     }
-    return centre.shared.unshadowed *
-           glm::vec3(ratio(arrived.x, tried.x), ratio(arrived.y, tried.y), ratio(arrived.z, tried.z));
-}
-
-// What this pixel found by itself.
-glm::vec3 own_light(const PixelLight& p) {
-    return p.shared.arrived == p.shared.tried ? p.shared.unshadowed : p.shared.arrived;
+    return centre.shared.unshadowed * glm::vec3(ratio(arrived.x, unshadowed.x),
+                                                ratio(arrived.y, unshadowed.y),
+                                                ratio(arrived.z, unshadowed.z));
 }
 
 }  // namespace
+
+bool arrives_whole(const SharedLight& light) {
+    const glm::vec3 missing = glm::abs(light.unshadowed - light.arrived), counts = light.unshadowed / 256.0f;
+    return missing.x <= counts.x && missing.y <= counts.y && missing.z <= counts.z;
+}
 
 bool are_together(const PixelLight& a, const PixelLight& b) {
     if (!(b.size > 0.0f) || glm::dot(a.normal, b.normal) < kSameFacing) return false;
@@ -88,8 +90,8 @@ void develop(const std::vector<PixelLight>& pixels, bool shares, const Jobs& job
             const std::size_t index = out.index(x, y);
             const PixelLight& p = pixels[index];
             const bool averages = shares && !is_plain_here && p.size > 0.0f;
-            out.pixels[index] =
-                p.clean + (averages ? shared_light(pixels, width, height, x, y) : own_light(p));
+            out.pixels[index] = p.clean + (averages ? shared_light(pixels, width, height, x, y)
+                                                    : glm::max(p.shared.arrived, 0.0f));
         }
     });
 }

@@ -11,13 +11,14 @@
 
 namespace gh::render {
 
-// Of a pixel's main surface: its light if nothing stood before the lamps, exact; how much of that the pixel's few
-// shadow rays tried (on average the same); and how much of what they tried arrived.
+// Of a pixel's main surface: its light if nothing stood before the lamps, exact; and an estimate, by few shadow rays and
+// right on average, of what of it arrives. A single pixel's may be negative or more than there is.
 struct SharedLight {
     glm::vec3 unshadowed{0.0f};
-    glm::vec3 tried{0.0f};
     glm::vec3 arrived{0.0f};
 };
+// Whether all of it does, but for less than an eye can tell.
+[[nodiscard]] bool arrives_whole(const SharedLight& light);
 
 struct PixelLight {
     glm::vec3 clean{0.0f};  // exact for this pixel

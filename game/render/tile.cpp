@@ -30,6 +30,7 @@ void TileTracer::trace(int tile_x, int tile_y, std::vector<PixelLight>& pixels, 
         samplers_.push_back(pixel_sampler(x_ + i % columns_, y_ + i / columns_, frame_.number,
                                           frame_.settings.shares_samples));
     }
+    looks_.begin(frame_.view.level.lamps.size());
     across_ = TileLattice(columns_);
     down_ = TileLattice(rows_);
     const int samples = frame_.settings.samples_per_pixel;
@@ -39,7 +40,6 @@ void TileTracer::trace(int tile_x, int tile_y, std::vector<PixelLight>& pixels, 
         PixelLight& light = pixels_[static_cast<std::size_t>(i)];
         light.clean *= per_sample;
         light.shared.unshadowed *= per_sample;
-        light.shared.tried *= per_sample;
         light.shared.arrived *= per_sample;
         const int x = x_ + i % columns_, y = y_ + i / columns_;
         pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width) +
@@ -112,7 +112,10 @@ void TileTracer::trace_shadows(FrameStats& stats) {
     stats.shadow_rays += shadow_rays_.size();
     stats.glass_shadow_rays += batch_.looked_through();
     for (std::size_t i = 0; i < shadows_.size(); ++i) {
-        light_of(shadows_[i].pixel, shadows_[i].share) += shadows_[i].light * shares_[i];
+        const Shadow& shadow = shadows_[i];
+        light_of(shadow.pixel, shadow.share) += shadow.light * shares_[i];
+        if (shadow.share == Share::Neighbours && shadow.lamp != world::kNoIndex)
+            looks_.note(shadow.lamp, shares_[i].y);
     }
     shadow_rays_.clear();
     shadows_.clear();

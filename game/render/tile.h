@@ -6,6 +6,7 @@
 #include "render/film.h"
 #include "render/frame_light.h"
 #include "render/gloss.h"
+#include "render/lamp_looks.h"
 #include "render/lattice.h"
 #include "render/main_surfaces.h"
 #include "render/path_ray.h"
@@ -20,7 +21,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace gh::render {
@@ -52,6 +52,7 @@ class TileTracer {
     enum class Share : std::uint8_t { Pixel, Reflection, Neighbours };
     struct Shadow {  // light that arrives if nothing stands in its way
         glm::vec3 light;
+        std::uint32_t lamp;  // kNoIndex: ambient
         std::uint16_t pixel;
         Share share;
     };
@@ -59,6 +60,9 @@ class TileTracer {
     struct Arrival {
         glm::vec3 light;
         std::uint32_t lamp;  // kNoIndex: ambient
+        float open;          // about the share of it that gets here
+        // What it is expected to bring.
+        [[nodiscard]] float expected() const;
     };
     // The main surfaces of the pixels around one that were visited in earlier passes and are of its kind.
     struct Corners {
@@ -88,12 +92,13 @@ class TileTracer {
     // tile_shadow.cpp: which of it is worth a shadow ray.
     void ask_for_all(const SeenSurface& surface);
     void ask_for_brightest(const SeenSurface& surface);
-    void ask_for_shares(const SeenSurface& surface, float matters);
-    void ask_one_below(const SeenSurface& surface, float least);
+    void ask_for_shares(const SeenSurface& surface, bool speaks_for_many);
+    void estimate_below(const SeenSurface& surface, float least);
     void ask(const SeenSurface& surface, const Arrival& arrival, int count);
     void ask_lamp(const SeenSurface& surface, const Arrival& arrival, std::uint32_t number);
     void ask_around(const SeenSurface& surface, const glm::vec3& light, std::uint32_t number);
-    void settle(const PathRay& path, const std::optional<rc::Ray>& ray, const glm::vec3& light);
+    void arrive(const PathRay& path, const glm::vec3& light);
+    void look(const PathRay& path, const rc::Ray& ray, const glm::vec3& light, std::uint32_t lamp);
     // tile_adaptive.cpp: for which pixels all this is done, and how the others come by their light.
     void light_main_surfaces(FrameStats& stats);
     void light_pass(int pass, FrameStats& stats);
@@ -136,6 +141,7 @@ class TileTracer {
     std::vector<rc::Ray> shadow_rays_;
     std::vector<Shadow> shadows_;
     std::vector<glm::vec3> shares_;
+    LampLooks looks_;
     ShadowBatch batch_;
     MainSurfaces main_;  // of this sample
     std::vector<std::uint16_t> not_blended_;

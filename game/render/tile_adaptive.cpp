@@ -16,10 +16,7 @@ namespace gh::render {
 namespace {
 
 constexpr float kPerPi = 1.0f / kPi;
-// Of all light that arrives: lamps that give more get shadow rays of their own.
-constexpr float kMatters = 0.2f;
-constexpr float kMattersToMany = 0.05f;  // from a pixel that speaks for those around it
-constexpr float kShineTurns = 0.995f;    // least cosine between normals where what shines counts
+constexpr float kShineTurns = 0.995f;  // least cosine between normals where what shines counts
 constexpr float kShineCounts = 0.1f;
 
 }  // namespace
@@ -30,18 +27,18 @@ void TileTracer::light_main_surfaces(FrameStats& stats) {
 
 void TileTracer::light_pass(int pass, FrameStats& stats) {
     visit_pass(pass, [this](const Corners& corners) { return is_blended(corners); });
-    const bool speaks_for_many = frame_.settings.is_adaptive && pass + 1 < kLatticePasses;
+    const bool speaks_for_many = pass + 1 < kLatticePasses;
     for (const std::uint16_t i : not_blended_) {
         main_.lights[i] = collect_light(main_.surfaces[i]);
-        ask_for_shares(main_.surfaces[i], speaks_for_many ? kMattersToMany : kMatters);
+        ask_for_shares(main_.surfaces[i], speaks_for_many);
     }
     stats.lit_pixels += not_blended_.size();
     trace_shadows(stats);
     for (const std::uint16_t i : not_blended_) {
         SurfaceLight& light = main_.lights[i];
         const SharedLight& found = main_.found[i];
-        light.is_plain = found.arrived == found.tried;
-        if (!light.is_plain) light.seen = ratio(found.arrived, found.tried, 1.0f);
+        light.is_plain = arrives_whole(found);
+        if (!light.is_plain) light.seen = ratio(found.arrived, found.unshadowed, 1.0f);
     }
 }
 
@@ -77,9 +74,9 @@ bool TileTracer::is_blended(const Corners& corners) {
         return here.path.weight * (here.diffuse * irradiance * kPerPi + shine);
     };
     SharedLight& found = main_.found[corners.centre];
-    found.unshadowed = found.tried = leaving(blend.irradiance, blend.shine);
+    found.unshadowed = leaving(blend.irradiance, blend.shine);
     found.arrived = blend.is_plain ? found.unshadowed : leaving(seen_irradiance, seen_shine);
-    blend.seen = ratio(found.arrived, found.tried, 1.0f);
+    blend.seen = ratio(found.arrived, found.unshadowed, 1.0f);
     main_.lights[corners.centre] = blend;
     return true;
 }
@@ -95,7 +92,6 @@ void TileTracer::add_main_light() {
         const SeenSurface& surface = main_.surfaces[i];
         PixelLight& out = pixels_[surface.path.pixel];
         out.shared.unshadowed += main_.found[i].unshadowed;
-        out.shared.tried += main_.found[i].tried;
         out.shared.arrived += main_.found[i].arrived;
         out.clean += surface.path.weight * surface.polished * main_.reflections[i];
     }

@@ -32,12 +32,11 @@ void TileTracer::visit_pass(int pass, Blend blend) {
     Corners corners;
     for (int y = 0; y < rows_; ++y) {
         for (int x = 0; x < columns_; ++x) {
-            const int own = is_adaptive ? std::max(across_.pass[static_cast<std::size_t>(x)],
-                                                   down_.pass[static_cast<std::size_t>(y)])
-                                        : 0;
+            const int own =
+                std::max(across_.pass[static_cast<std::size_t>(x)], down_.pass[static_cast<std::size_t>(y)]);
             const std::uint16_t surface = main_.at_pixel[static_cast<std::size_t>(y * columns_ + x)];
             if (own != pass || surface == MainSurfaces::kNone) continue;
-            if (pass > 0 && finds_corners(x, y, pass, corners) && blend(corners)) continue;
+            if (is_adaptive && pass > 0 && finds_corners(x, y, pass, corners) && blend(corners)) continue;
             not_blended_.push_back(surface);
         }
     }

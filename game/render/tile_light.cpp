@@ -18,6 +18,8 @@ constexpr float kNothing = 0.25f * kFaintest;  // a part of a lamp's light that 
 constexpr float kLeastCosine =
     0.05f;  // a lamp nearer the horizon does not tell how its light turns with the normal
 
+constexpr float kAmbientOpen = 0.9f;  // of what is baked, past what stands in corners
+
 float brightest(const glm::vec3& c) {
     return std::max({c.x, c.y, c.z});
 }
@@ -54,7 +56,9 @@ void TileTracer::collect_lamps(const SeenSurface& surface, SurfaceLight& out) {
     const glm::vec3& position = at.surface.position;
     const glm::vec3 diffuse = surface.path.weight * surface.diffuse * kPerPi;
     const float most_diffuse = brightest(diffuse), most_shine = brightest(surface.path.weight);
-    for (const std::uint32_t id : frame_.view.prepared.lamp_lists.at(position)) {
+    const LampLists::Near near = frame_.view.prepared.lamp_lists.near(position);
+    for (std::size_t i = 0; i < near.lamps.size(); ++i) {
+        const std::uint32_t id = near.lamps[i];
         if (frame_.light.lamp_on[id] == 0) continue;
         const LampReach& reach = frame_.light.reaches[id];
         const IrradianceBound bound = irradiance_bound(reach, position, at.normal);
@@ -72,7 +76,7 @@ void TileTracer::collect_lamps(const SeenSurface& surface, SurfaceLight& out) {
         const glm::vec3 light = diffuse * irradiance + surface.path.weight * shine;
         const float counts = worth(brightest(light));
         if (!(counts > 0.0f)) continue;
-        arrivals_.push_back({light * counts, id});
+        arrivals_.push_back({light * counts, id, looks_.open(id, near.open[i])});
         irradiance *= counts;
         out.irradiance += irradiance;
         out.shine += shine * counts;
@@ -96,7 +100,7 @@ void TileTracer::collect_ambient(const SeenSurface& surface, SurfaceLight& out) 
     out.shine += mirrored;
     const bool looks_round = (path.depth == 0 || path.is_leading) && frame_.settings.ambient_samples > 0;
     if (looks_round || share_of(path) == Share::Neighbours) {
-        arrivals_.push_back({light, world::kNoIndex});
+        arrivals_.push_back({light, world::kNoIndex, kAmbientOpen});
     } else {
         light_of(path.pixel, visible_share(path)) += light;
     }

@@ -1,11 +1,13 @@
 // The part of a tile that decides which shadow rays are worth sending.
 #include "base/det_math.h"
 #include "render/tile.h"
+#include "render/tile_blend.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace gh::render {
 
@@ -13,13 +15,14 @@ namespace {
 
 // What stands near is lit about as this is, and gives that share of it back: corners are dark, not black.
 constexpr float kBounced = 0.4f;
-constexpr float kSpeaksForAll = 0.2f;  // of all light that arrives: in a glimmer, lamps that give more
+constexpr float kSpeaksForAll = 0.2f;  // of all light that is expected: in a glimmer, lamps that give more
+// Of all light that is expected: lamps that give more get shadow rays of their own.
+constexpr float kMatters = 0.2f;
+constexpr float kMattersToMany = 0.05f;  // from a pixel that speaks for those around it
+constexpr float kHardlyOpen = 1.0f / 32.0f;
+constexpr float kLeastDoubt = 0.02f;
 constexpr std::uint32_t kAmbientPurpose = 0xA0u << 16, kReachPurpose = 0xA1u << 16,
                         kChoicePurpose = 0xA2u << 16;
-
-float brightest(const glm::vec3& c) {
-    return std::max({c.x, c.y, c.z});
-}
 
 // The lamp's own coordinates of its middle, as the eye sees it.
 glm::vec2 middle_of(const world::Lamp& lamp) {
@@ -47,74 +50,83 @@ void TileTracer::ask_for_all(const SeenSurface& surface) {
     }
 }
 
+float TileTracer::Arrival::expected() const {
+    return brightest(light) * open;
+}
+
 // What glimmers in a polished floor counts little and is shared by nobody: the lamps that matter speak for all.
 void TileTracer::ask_for_brightest(const SeenSurface& surface) {
     glm::vec3 total(0.0f), asked(0.0f);
-    float most = 0.0f;
+    float sum = 0.0f, most = 0.0f;
     for (const Arrival& arrival : arrivals_) {
-        total += arrival.light;
-        most = std::max(most, brightest(arrival.light));
+        total += arrival.light * arrival.open;
+        sum += arrival.expected();
+        most = std::max(most, arrival.expected());
     }
-    const float least = std::min(most, kSpeaksForAll * brightest(total));
+    const float least = std::min(most, kSpeaksForAll * sum);
     for (const Arrival& arrival : arrivals_) {
-        if (brightest(arrival.light) >= least) asked += arrival.light;
+        if (arrival.expected() >= least) asked += arrival.light * arrival.open;
     }
-    const glm::vec3 scale(asked.x > 0.0f ? total.x / asked.x : 1.0f,
-                          asked.y > 0.0f ? total.y / asked.y : 1.0f,
-                          asked.z > 0.0f ? total.z / asked.z : 1.0f);
+    const glm::vec3 scale = ratio(total, asked, 1.0f);
     for (const Arrival& arrival : arrivals_) {
-        if (brightest(arrival.light) >= least) ask(surface, {arrival.light * scale, arrival.lamp}, 1);
+        if (arrival.expected() >= least) ask(surface, {arrival.light * scale, arrival.lamp, arrival.open}, 1);
     }
 }
 
-// To every lamp that gives at least the share `matters` of the light, twice to those that give four times that, and one
-// ray for all the faint ones together.
-void TileTracer::ask_for_shares(const SeenSurface& surface, float matters) {
+// To every lamp of which a share of all that is expected comes, twice to those of four times that. A pixel that speaks
+// for those around it asks for smaller shares, and twice as often for lamps that the tile sees in part.
+void TileTracer::ask_for_shares(const SeenSurface& surface, bool speaks_for_many) {
     SharedLight& found = main_.found_at(surface.path.pixel);
     float total = 0.0f;
     for (const Arrival& arrival : arrivals_) {
-        total += brightest(arrival.light);
+        total += arrival.expected();
         found.unshadowed += arrival.light;
     }
-    const float least = matters * total;
+    const float least = (speaks_for_many ? kMattersToMany : kMatters) * total;
     for (const Arrival& arrival : arrivals_) {
-        const float share = brightest(arrival.light);
-        if (share < least) {
-            // It takes no ray to know that some of it arrives. Left to chance among lamps that are all hidden, it
-            // would be missed: a dark room next to bright ones would be black.
-            if (arrival.lamp == world::kNoIndex) settle(surface.path, std::nullopt, arrival.light);
-            continue;
-        }
-        ask(surface, arrival, frame_.settings.shadow_samples * (share >= 4.0f * least ? 2 : 1));
+        const float share = arrival.expected();
+        if (share < least) continue;
+        int count = frame_.settings.shadow_samples;
+        if (share >= 4.0f * least) count *= 2;
+        if (speaks_for_many && arrival.open > kHardlyOpen && arrival.open < 1.0f - kHardlyOpen) count *= 2;
+        ask(surface, arrival, count);
     }
-    ask_one_below(surface, least);
+    estimate_below(surface, least);
 }
 
-// Neighbours choose others, so that together they ask for each as often as it counts.
-void TileTracer::ask_one_below(const SeenSurface& surface, float least) {
-    const auto is_left_to_chance = [&](const Arrival& arrival) {
-        return arrival.lamp != world::kNoIndex && brightest(arrival.light) < least;
+// Of the others what is expected is taken to arrive, and one look at one of them says how wrong that is: a control
+// variate, on average exactly what gets through whatever was expected. Neighbours choose others, so that together they
+// ask for each as often as it is in doubt.
+void TileTracer::estimate_below(const SeenSurface& surface, float least) {
+    const auto doubt = [](const Arrival& arrival) {
+        const float deviation = std::sqrt(arrival.open * (1.0f - arrival.open));
+        return brightest(arrival.light) * std::max(deviation, kLeastDoubt);
     };
     float total = 0.0f;
+    glm::vec3 expected(0.0f);
     for (const Arrival& arrival : arrivals_) {
-        if (is_left_to_chance(arrival)) total += brightest(arrival.light);
+        if (arrival.expected() >= least) continue;
+        total += doubt(arrival);
+        expected += arrival.light * arrival.open;
     }
     const auto number = static_cast<std::uint32_t>(sample_);
     const PathRay& path = surface.path;
     float choice = samplers_[path.pixel].point(number, kChoicePurpose, path.depth).x * total;
     const Arrival* chosen = nullptr;
     for (const Arrival& arrival : arrivals_) {
-        if (!is_left_to_chance(arrival)) continue;
+        if (arrival.expected() >= least) continue;
         chosen = &arrival;  // rounding may run past the last one, which then is it
-        choice -= brightest(arrival.light);
+        choice -= doubt(arrival);
         if (choice < 0.0f) break;
     }
-    if (chosen != nullptr)
-        ask(surface, {chosen->light * (total / brightest(chosen->light)), chosen->lamp}, 1);
+    if (chosen == nullptr) return;
+    const glm::vec3 light = chosen->light * (total / doubt(*chosen));
+    arrive(path, expected - light * chosen->open);
+    ask(surface, {light, chosen->lamp, chosen->open}, 1);
 }
 
 void TileTracer::ask(const SeenSurface& surface, const Arrival& arrival, int count) {
-    const Arrival part{arrival.light / static_cast<float>(count), arrival.lamp};
+    const Arrival part{arrival.light / static_cast<float>(count), arrival.lamp, arrival.open};
     for (int i = 0; i < count; ++i) {
         const auto number = static_cast<std::uint32_t>(sample_ * count + i);
         if (arrival.lamp != world::kNoIndex) {
@@ -122,7 +134,7 @@ void TileTracer::ask(const SeenSurface& surface, const Arrival& arrival, int cou
         } else if (frame_.settings.ambient_samples > 0) {
             ask_around(surface, part.light, number);
         } else {
-            settle(surface.path, std::nullopt, part.light);
+            arrive(surface.path, part.light);
         }
     }
 }
@@ -144,12 +156,14 @@ void TileTracer::ask_lamp(const SeenSurface& surface, const Arrival& arrival, st
     } else if (is_below(target)) {
         target = lamp.position;
     }
-    if (is_below(target)) {
-        if (share_of(path) == Share::Neighbours) main_.found_at(path.pixel).tried += arrival.light;
-        return;
+    if (is_below(target)) return;
+    const std::optional<rc::Ray> way =
+        shadow_ray(lamp, frame_.view.prepared.bulbs[arrival.lamp], at.surface, target);
+    if (way) {
+        look(path, *way, arrival.light, arrival.lamp);
+    } else {
+        arrive(path, arrival.light);
     }
-    settle(path, shadow_ray(lamp, frame_.view.prepared.bulbs[arrival.lamp], at.surface, target),
-           arrival.light);
 }
 
 void TileTracer::ask_around(const SeenSurface& surface, const glm::vec3& light, std::uint32_t number) {
@@ -163,20 +177,18 @@ void TileTracer::ask_around(const SeenSurface& surface, const glm::vec3& light, 
     if (height < 0.01f) way += at.geometric * (0.01f - height);
     // A reach between nothing and all of it: what is near darkens more.
     const float share = sampler.point(number, kReachPurpose, path.depth).x;
-    settle(path, std::nullopt, light * kBounced);
-    settle(path, rc::spawn_ray(at.surface, way, reach * share), light * (1.0f - kBounced));
+    arrive(path, light * kBounced);
+    look(path, rc::spawn_ray(at.surface, way, reach * share), light * (1.0f - kBounced), world::kNoIndex);
 }
 
-// Without a ray there is nothing that could stand in the way.
-void TileTracer::settle(const PathRay& path, const std::optional<rc::Ray>& ray, const glm::vec3& light) {
-    const Share share = share_of(path);
-    if (share == Share::Neighbours) main_.found_at(path.pixel).tried += light;
-    if (ray) {
-        shadow_rays_.push_back(*ray);
-        shadows_.push_back({light, path.pixel, share});
-    } else {
-        light_of(path.pixel, share) += light;
-    }
+// Nothing stands in its way.
+void TileTracer::arrive(const PathRay& path, const glm::vec3& light) {
+    light_of(path.pixel, share_of(path)) += light;
+}
+
+void TileTracer::look(const PathRay& path, const rc::Ray& ray, const glm::vec3& light, std::uint32_t lamp) {
+    shadow_rays_.push_back(ray);
+    shadows_.push_back({light, lamp, path.pixel, share_of(path)});
 }
 
 }  // namespace gh::render
