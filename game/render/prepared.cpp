@@ -73,6 +73,7 @@ Prepared prepare(const world::Level& level, const world::Snapshot& rest, const J
     prepared.needs = scene_needs(level, is_solid);
     for (const world::Material& material : level.materials)
         prepared.has_textures.push_back(has_textures(material) ? 1 : 0);
+    prepared.energy = GlossEnergy(prepared.needs.has(Need::Cloth));
     prepared.emitters = find_emitters(level);
     const bool is_split = are_layers_split(level);
     for (const PartTraits& part : prepared.parts) prepared.has_clear_parts |= part.is_clear;

@@ -51,7 +51,7 @@ struct Prepared {
     GlossTable gloss;
     std::vector<Emitter> emitters;  // what a path looks for besides lamps without a mesh
     Gleams gleams;                  // what lamps light so close by that a path looks for it as well
-    GlossEnergy energy;
+    GlossEnergy energy = GlossEnergy::none();
     bool has_clear_parts = false;
     // What surely blocks a shadow ray: the Blocker parts of a level that says which they are, else all that is drawn,
     // and then what blocks must be looked at again.

@@ -45,9 +45,9 @@ const render::GlossEnergy& energy() {
 }
 
 // Mean weight over stratified samples of an opaque surface: the albedo.
-double albedo_of(const Bsdf& bsdf, int side = 48) {
+double albedo_of(const Bsdf& bsdf, int side = 48, std::uint64_t seed = 7) {
     double sum = 0.0;
-    Random random(7);
+    Random random(seed);
     for (int i = 0; i < side; ++i) {
         for (int j = 0; j < side; ++j) {
             const glm::vec2 u((static_cast<float>(i) + random.unit()) / static_cast<float>(side),
@@ -64,6 +64,13 @@ double albedo_of(const Bsdf& bsdf, int side = 48) {
         }
     }
     return sum / (side * side);
+}
+
+// The same by sixteen independent estimates, with the error of their mean.
+test::Moments albedos_of(const Bsdf& bsdf) {
+    std::vector<double> all;
+    for (std::uint64_t seed = 1; seed <= 16; ++seed) all.push_back(albedo_of(bsdf, 40, seed));
+    return test::moments(all);
 }
 
 TEST(PathSurface, ALambertFurnaceGivesItsAlbedo) {
@@ -83,12 +90,15 @@ TEST(PathSurface, WhiteMetalGivesAllLightBackAtAnyRoughness) {
         const render::ShadingPoint at = facing_z(material);
         for (const float cosine : {0.1f, 0.3f, 0.6f, 0.9f, 1.0f}) {
             const Bsdf bsdf(at, tilted(cosine), {}, energy());
-            EXPECT_NEAR(albedo_of(bsdf, 192), 1.0, 1.5e-3) << "alpha " << alpha << " cosine " << cosine;
+            const test::Moments albedo = albedos_of(bsdf);
+            EXPECT_LT(albedo.mean, 1.0 + 1e-5 + 4.0 * albedo.error) << alpha << " cosine " << cosine;
+            // What the table is kept above the truth by (gloss_energy.h) is what is lost.
+            EXPECT_GT(albedo.mean, 1.0 - 1.2e-3 - 4.0 * albedo.error) << alpha << " cosine " << cosine;
         }
     }
 }
 
-// The same as a picture, averaged over the hemisphere's cosine: what a furnace shows.
+// The same as a picture: what a furnace shows. What is lost is what the table is kept above the truth by.
 TEST(PathSurface, AMetalFurnaceIsInvisible) {
     const render::Environment light = test::even_light();
     for (const float alpha : {1e-4f, 1e-2f, 0.1f, 1.0f}) {
@@ -98,8 +108,10 @@ TEST(PathSurface, AMetalFurnaceIsInvisible) {
         render::PathSettings settings = test::reference(512);
         settings.environment = &light;
         settings.lamps = render::LampFinding::MeetOnly;
-        expect_mean(means(studio, test::narrow({0, 0.5f, 0}, 0, -1.1f), settings, 8), 1.0, 5e-3,
-                    "alpha " + std::to_string(alpha));
+        const test::Moments seen =
+            test::moments(means(studio, test::narrow({0, 0.5f, 0}, 0, -1.1f), settings, 16));
+        EXPECT_LT(seen.mean, 1.0 + 1e-5 + 4.0 * seen.error) << "alpha " << alpha;
+        EXPECT_GT(seen.mean, 1.0 - 1.2e-3 - 4.0 * seen.error) << "alpha " << alpha;
     }
 }
 
@@ -111,7 +123,9 @@ TEST(PathSurface, NoSurfaceGivesMoreThanItGets) {
             const render::ShadingPoint at = facing_z(material);
             for (const float cosine : {0.02f, 0.2f, 0.7f, 1.0f}) {
                 const Bsdf bsdf(at, tilted(cosine), {}, energy());
-                EXPECT_LT(albedo_of(bsdf), 1.0 + 6e-3) << metallic << " " << roughness << " " << cosine;
+                const test::Moments albedo = albedos_of(bsdf);
+                EXPECT_LT(albedo.mean, 1.0 + 1e-5 + 4.0 * albedo.error)
+                    << metallic << " " << roughness << " " << cosine;
             }
         }
     }
@@ -125,7 +139,9 @@ TEST(PathSurface, AWhiteBaseUnderACoatLosesNothingOnAverage) {
         const render::ShadingPoint at = facing_z(material);
         for (const float cosine : {0.2f, 0.6f, 1.0f}) {
             const Bsdf bsdf(at, tilted(cosine), {}, energy());
-            EXPECT_NEAR(albedo_of(bsdf), 1.0, 6e-3) << roughness << " " << cosine;
+            const test::Moments albedo = albedos_of(bsdf);
+            EXPECT_LT(albedo.mean, 1.0 + 1e-5 + 4.0 * albedo.error) << roughness << " " << cosine;
+            EXPECT_GT(albedo.mean, 1.0 - 2e-3 - 4.0 * albedo.error) << roughness << " " << cosine;
         }
     }
 }
@@ -278,7 +294,7 @@ TEST(PathSurface, AGlassBallInAnEvenLightIsInvisibleAndBrightWithin) {
             EXPECT_NEAR(mean, 1.0, 1e-4) << x;
     }
     for (const double mean : means(studio, test::narrow({0.1f, 0.05f, 0.2f}, 0.4f), settings, 2))
-        EXPECT_NEAR(mean, 2.25, 3e-4);
+        EXPECT_NEAR(mean / 2.25, 1.0, 1e-4);
 }
 
 TEST(PathSurface, APaneSharesLightByFresnel) {
@@ -296,8 +312,9 @@ TEST(PathSurface, APaneSharesLightByFresnel) {
             settings.splits_glass = is_split;
             settings.max_depth = 24;
             settings.uses_roulette = false;
-            expect_mean(means(studio, test::narrow({0, 0, 2}), settings, 8), 12.0 / 13.0, 4e-3,
-                        is_solid ? "solid" : "thin");
+            // Chance alone decides where light goes unless the path is split: then it is exact.
+            expect_mean(means(studio, test::narrow({0, 0, 2}), settings, 16), 12.0 / 13.0,
+                        is_split ? 1e-5 : 4e-3, is_solid ? "solid" : "thin");
         }
     }
 }
@@ -312,9 +329,10 @@ TEST(PathSurface, ADarkSlabTakesItsShareByBeersLaw) {
     studio.open();
     render::PathSettings settings = test::reference(256);
     settings.splits_glass = true;
+    settings.uses_roulette = false;
     const double a = 0.5, r = 0.04;
-    expect_mean(means(studio, test::narrow({0, 0, 2}), settings, 12),
-                (1 - r) * (1 - r) * a / (1 - r * r * a * a), 1e-3);
+    expect_mean(means(studio, test::narrow({0, 0, 2}), settings, 16),
+                (1 - r) * (1 - r) * a / (1 - r * r * a * a), 1e-5);
 }
 
 TEST(PathSurface, BeyondTheCriticalAngleEverythingIsMirrored) {

@@ -2,6 +2,7 @@
 //
 //   game_bench assets/levels/foyer.glb --replay assets/replays/win.replay
 #include "bench_frames.h"
+#include "bench_needs.h"
 #include "bench_senses.h"
 #include "bench_ticks.h"
 #include "input/replay.h"
@@ -24,6 +25,7 @@ struct Options {
     int ticks = 1800;
     int threads = 2;
     bool without_frames = false;
+    bool only_needs = false;
 };
 
 Options read_options(int argc, char** argv) {
@@ -38,6 +40,8 @@ Options read_options(int argc, char** argv) {
     app.add_option("--threads", options.threads, "for frames")->check(CLI::Range(1, 256));
     app.add_option("--isa", options.isa, "scalar, avx2 or avx512");
     app.add_flag("--without-frames", options.without_frames, "ticks alone");
+    app.add_flag("--needs", options.only_needs,
+                 "only what it costs to path trace a scene by a kernel that can do more than it needs");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -68,6 +72,10 @@ int main(int argc, char** argv) {
                 level->parts.size(), triangles, level->lamps.size(), level->guards.size(),
                 std::string(rc::isa_name(rc::active_isa())).c_str());
 
+    if (options.only_needs) {
+        bench::bench_needs(level, options.rounds);
+        return 0;
+    }
     std::vector<gh::input::Command> commands = bench::restless_player(options.ticks);
     if (!options.replay.empty()) {
         gh::Result<gh::input::Replay> replay = gh::input::read_replay(options.replay);
