@@ -18,7 +18,7 @@ namespace rc {
 namespace {
 
 constexpr char kMagic[8] = {'r', 'a', 'y', 'c', 'o', 'r', 'e', '\n'};
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 
 // Whatever the meaning of a node's bytes depends on; another layout with these same sizes needs another kVersion.
 constexpr std::uint32_t kLayout = static_cast<std::uint32_t>(sizeof(kernel::WideNode)) << 16 |

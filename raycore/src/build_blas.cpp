@@ -19,10 +19,6 @@ namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
-Box box_of(const BinaryNode& node) {
-    return {{node.min[0], node.min[1], node.min[2]}, {node.max[0], node.max[1], node.max[2]}};
-}
-
 BinaryTree binary_tree_of(Unfilled<BuildRef> refs, const MeshView& mesh, BuildQuality quality) {
     switch (quality) {
         case BuildQuality::Fast:
@@ -36,13 +32,13 @@ BinaryTree binary_tree_of(Unfilled<BuildRef> refs, const MeshView& mesh, BuildQu
 }
 
 void grow_tree(Blas::Data& blas, const MeshView& mesh, BuildQuality quality) {
-    Unfilled<BuildRef> refs = collect_refs(mesh, blas.report);
-    if (refs.empty()) return;
-    const BinaryTree binary = binary_tree_of(std::move(refs), mesh, quality);
+    CollectedRefs collected = collect_refs(mesh, blas.report);
+    if (collected.refs.empty()) return;
+    const BinaryTree binary = binary_tree_of(std::move(collected.refs), mesh, quality);
     WideTree wide = collapse_blas(binary);
     blas.nodes = std::move(wide.nodes);
     blas.root = wide.root;
-    blas.bounds = box_of(binary.nodes[0]);
+    blas.bounds = box_of(collected.bounds);
     fill_leaves(blas, binary.items, mesh);
 }
 

@@ -1,5 +1,6 @@
 #include "clip.h"
 
+#include "collect_refs.h"
 #include "tree_math.h"
 
 #include <algorithm>
@@ -61,6 +62,13 @@ void clip(const BuildRef& ref, const glm::vec3 (&corners)[3], int axis, float pl
     }
     below.max[k] = plane;
     above.neg_min[k] = -plane;
+    const float slack = slack_of(corners[0], corners[1], corners[2]);
+    for (GrowingBox* side : {&below, &above}) {
+        for (std::size_t a = 0; a < 3; ++a) {
+            side->neg_min[a] += slack;
+            side->max[a] += slack;
+        }
+    }
     left = within(ref, below);
     right = within(ref, above);
 }

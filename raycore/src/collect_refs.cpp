@@ -1,5 +1,6 @@
 #include "collect_refs.h"
 
+#include "tree_math.h"
 #include "triangle_check.h"
 
 #include <tbb/parallel_for.h>
@@ -13,11 +14,22 @@ namespace {
 
 constexpr std::size_t kBlock = 8192;
 
-BuildRef ref_around(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, std::size_t item) {
+// Grows `bounds` by the triangle as well.
+BuildRef ref_around(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, std::size_t item,
+                    GrowingBox& bounds) {
     BuildRef ref{};
     for (std::size_t k = 0; k < 3; ++k) {
         ref.neg_min[k] = -std::min(a[k], std::min(b[k], c[k]));
         ref.max[k] = std::max(a[k], std::max(b[k], c[k]));
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        bounds.neg_min[k] = std::max(bounds.neg_min[k], ref.neg_min[k]);
+        bounds.max[k] = std::max(bounds.max[k], ref.max[k]);
+    }
+    const float slack = slack_of(a, b, c);
+    for (std::size_t k = 0; k < 3; ++k) {
+        ref.neg_min[k] += slack;
+        ref.max[k] += slack;
     }
     ref.item = static_cast<std::uint32_t>(item);
     return ref;
@@ -25,11 +37,21 @@ BuildRef ref_around(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, 
 
 }  // namespace
 
-Unfilled<BuildRef> collect_refs(const MeshView& mesh, MeshReport& report) {
+float slack_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    float extent = 0.0f;
+    for (std::size_t k = 0; k < 3; ++k)
+        extent =
+            std::max(extent, std::max(a[k], std::max(b[k], c[k])) - std::min(a[k], std::min(b[k], c[k])));
+    return extent * kSlack;
+}
+
+CollectedRefs collect_refs(const MeshView& mesh, MeshReport& report) {
     const std::size_t n = mesh.triangles.size();
-    Unfilled<BuildRef> refs(n);
+    CollectedRefs collected{Unfilled<BuildRef>(n), build::kNoBox};
+    Unfilled<BuildRef>& refs = collected.refs;
     // Each block fills its own part of `refs` from the front.
     std::vector<MeshReport> reports((n + kBlock - 1) / kBlock);
+    std::vector<GrowingBox> bounds(reports.size(), build::kNoBox);
     tbb::parallel_for(std::size_t{0}, reports.size(), [&](std::size_t block) {
         const std::size_t begin = block * kBlock, end = std::min(begin + kBlock, n);
         std::size_t kept = begin;
@@ -38,7 +60,8 @@ Unfilled<BuildRef> collect_refs(const MeshView& mesh, MeshReport& report) {
             const TriangleFault fault = fault_of(mesh.positions, t);
             count(fault, reports[block]);
             if (fault == TriangleFault::None)
-                refs[kept++] = ref_around(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z], i);
+                refs[kept++] = ref_around(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z], i,
+                                          bounds[block]);
         }
         reports[block].triangles = end - begin;
     });
@@ -49,13 +72,14 @@ Unfilled<BuildRef> collect_refs(const MeshView& mesh, MeshReport& report) {
         if (kept != block * kBlock)
             std::move(&refs[block * kBlock], &refs[block * kBlock] + part.kept(), &refs[kept]);
         kept += part.kept();
+        build::grow(collected.bounds, bounds[block]);
         report.triangles += part.triangles;
         report.index_out_of_range += part.index_out_of_range;
         report.not_finite += part.not_finite;
         report.zero_area += part.zero_area;
     }
     refs.resize(kept);
-    return refs;
+    return collected;
 }
 
 }  // namespace rc

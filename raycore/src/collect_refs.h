@@ -1,4 +1,4 @@
-// collect_refs.h - a box around each triangle worth keeping: what every build starts from.
+// collect_refs.h - a box around each triangle worth keeping, and its slack: what every build starts from.
 #pragma once
 
 #include "binned_builder.h"
@@ -6,9 +6,19 @@
 
 #include "raycore/mesh.h"
 
+#include <glm/vec3.hpp>
+
 namespace rc {
 
+struct CollectedRefs {
+    Unfilled<BuildRef> refs;
+    GrowingBox bounds;  // of the triangles themselves
+};
+
 // In order of primitives, in parallel; what is not worth keeping is counted in `report`.
-[[nodiscard]] Unfilled<BuildRef> collect_refs(const MeshView& mesh, MeshReport& report);
+[[nodiscard]] CollectedRefs collect_refs(const MeshView& mesh, MeshReport& report);
+
+// How far boxes reach beyond a triangle, or a part of it.
+[[nodiscard]] float slack_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 
 }  // namespace rc

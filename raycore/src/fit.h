@@ -13,6 +13,9 @@ namespace rc {
 // rows must stand. A triangle that is not usable where it is now gets NaN corners and no box: nothing meets it.
 void fit(Blas::Data& blas, std::span<const glm::vec3> positions);
 
+// -0 becomes +0, so that a box has one representation; one of nothing is met by nothing.
+[[nodiscard]] Box box_of(const GrowingBox& box);
+
 // Expected cost of a random ray: 1 per node, 1 per triangle.
 [[nodiscard]] float cost_of(const Blas::Data& blas);
 

@@ -1,6 +1,7 @@
 #include "contract.h"
 #include "dispatch.h"
 #include "fit.h"
+#include "tree_math.h"
 
 #include <tbb/parallel_for.h>
 
@@ -40,55 +41,41 @@ float relative_cost(double below, const Box& root) {
     return area > 0.0 ? float((below + area) / area) : 1.0f;
 }
 
-// -0 becomes +0, so that a box has one representation; one of nothing is met by nothing.
-Box box_of(const GrowingBox& box) {
-    Box out{glm::vec3(kInf), glm::vec3(-kInf)};
-    if (!(-box.neg_min[0] <= box.max[0])) return out;
-    for (int a = 0; a < 3; ++a) {
-        out.min[static_cast<std::size_t>(a)] = 0.0f - box.neg_min[a];
-        out.max[static_cast<std::size_t>(a)] = box.max[a] + 0.0f;
-    }
-    return out;
-}
-
 class Fitting {
   public:
     struct Fitted {
-        Box box;
+        GrowingBox bounds = build::kNoBox;  // of the triangles themselves
+        GrowingBox box = build::kNoBox;     // with their slack
         double cost = 0.0;
     };
 
     Fitting(Blas::Data& blas, std::span<const glm::vec3> positions)
         : blas_(blas), positions_(&positions[0].x), kernels_(active_build_kernels()) {}
 
-    Box fit_leaf(std::uint32_t code) const {
+    Fitted fit_leaf(std::uint32_t code) const {
         const LeafRange leaf = leaf_range(code);
         std::uint32_t triangles[3 * kernel::kWidth];
         blas_.triangles.get(leaf.first, leaf.count, triangles);
-        GrowingBox box;
+        Fitted fitted;
         kernels_.fit_block(blas_.leaves.data() + std::size_t{leaf.first} * kernel::kWordsPerTriangle,
-                           leaf.count, triangles, positions_, box);
-        return box_of(box);
+                           leaf.count, triangles, positions_, fitted.bounds, fitted.box);
+        return fitted;
     }
 
     // A subtree's box and cost, its leaves and boxes fitted on the way up. Costs are added up along the tree: one sum
     // for any number of threads.
     Fitted fit_node(std::uint32_t index, std::uint32_t nodes_below) const {
         kernel::WideNode& node = blas_.nodes[index];
-        double costs[kernel::kWidth] = {};
+        Fitted lanes[kernel::kWidth];
         const auto fit_lane = [&](int lane) {
             if (node.layers[lane] == 0) return;
             const std::uint32_t child = node.child[lane];
-            Fitted below;
-            if (child & kernel::kLeafBit) {
-                below.box = fit_leaf(child);
-            } else {
-                below = fit_node(child, node.layers[lane]);
-            }
-            costs[lane] = below.cost;
+            Fitted& below = lanes[lane];
+            below = (child & kernel::kLeafBit) != 0 ? fit_leaf(child) : fit_node(child, node.layers[lane]);
+            const Box box = box_of(below.box);
             for (std::size_t a = 0; a < 3; ++a) {
-                node.bounds[2 * a][lane] = below.box.min[a];
-                node.bounds[2 * a + 1][lane] = below.box.max[a];
+                node.bounds[2 * a][lane] = box.min[a];
+                node.bounds[2 * a + 1][lane] = box.max[a];
             }
         };
         // Lanes are disjoint subtrees and each writes its own; near the leaves a task would cost more than it gains.
@@ -97,12 +84,15 @@ class Fitting {
         } else {
             for (int lane = 0; lane < kernel::kWidth; ++lane) fit_lane(lane);
         }
-        GrowingBox box;
+        Fitted fitted;
         float half_areas[kernel::kWidth];
-        kernels_.measure_lanes(node, box, half_areas);
-        double cost = cost_of_lanes(node, half_areas);
-        for (const double below : costs) cost += below;
-        return {box_of(box), cost};
+        kernels_.measure_lanes(node, fitted.box, half_areas);
+        fitted.cost = cost_of_lanes(node, half_areas);
+        for (const Fitted& below : lanes) {
+            build::grow(fitted.bounds, below.bounds);
+            fitted.cost += below.cost;
+        }
+        return fitted;
     }
 
   private:
@@ -113,16 +103,26 @@ class Fitting {
 
 }  // namespace
 
+Box box_of(const GrowingBox& box) {
+    Box out{glm::vec3(kInf), glm::vec3(-kInf)};
+    if (!(-box.neg_min[0] <= box.max[0])) return out;
+    for (int a = 0; a < 3; ++a) {
+        out.min[static_cast<std::size_t>(a)] = 0.0f - box.neg_min[a];
+        out.max[static_cast<std::size_t>(a)] = box.max[a] + 0.0f;
+    }
+    return out;
+}
+
 void fit(Blas::Data& blas, std::span<const glm::vec3> positions) {
     if (blas.root == kernel::kEmptyTree) return;
     const Fitting fitting(blas, positions);
     if (blas.root & kernel::kLeafBit) {
-        blas.bounds = fitting.fit_leaf(blas.root);
+        blas.bounds = box_of(fitting.fit_leaf(blas.root).bounds);
         return;
     }
-    const auto [box, cost] = fitting.fit_node(blas.root, static_cast<std::uint32_t>(blas.nodes.size()));
-    blas.bounds = box;
-    blas.cost = relative_cost(cost, box);
+    const Fitting::Fitted all = fitting.fit_node(blas.root, static_cast<std::uint32_t>(blas.nodes.size()));
+    blas.bounds = box_of(all.bounds);
+    blas.cost = relative_cost(all.cost, blas.bounds);
 }
 
 float cost_of(const Blas::Data& blas) {

@@ -270,34 +270,5 @@ TEST(BoxOverlap, ABallOverlapsWhatIsNearerThanItsRadius) {
     EXPECT_GT(overlaps, 80);
 }
 
-#ifdef RC_CONTRACTS
-TEST(BoxOverlap, NonsenseTrapsInDevelopment) {
-    GTEST_FLAG_SET(death_test_style, "threadsafe");
-    const auto scene = rc::SceneBuilder{}.commit();
-    rc::CastHit hit;
-    const float nan = std::numeric_limits<float>::quiet_NaN();
-    const auto ask = [&](const rc::OrientedBox& box) {
-        (void)rc::box_overlaps(*scene, box, kAll, {&hit, 1});
-    };
-    EXPECT_DEATH(ask({.centre = glm::vec3(nan)}), "a box of finite place and size");
-    EXPECT_DEATH(ask({.half = glm::vec3(-1)}), "a box of finite place and size");
-    EXPECT_DEATH(ask({.half = glm::vec3(1), .axes = glm::mat3(0.0f)}), "axes span space");
-}
-#else
-TEST(BoxOverlap, NonsenseOverlapsNothingInRelease) {
-    const TestScene scene = scene_of(make_sheet(1.0f, 0.0f, 1));
-    rc::CastHit hit;
-    const float nan = std::numeric_limits<float>::quiet_NaN();
-    const auto count = [&](const rc::OrientedBox& box) {
-        return rc::box_overlaps(scene.scene(), box, kAll, {&hit, 1});
-    };
-    EXPECT_EQ(count({.centre = glm::vec3(nan), .half = glm::vec3(1)}), 0u);
-    EXPECT_EQ(count({.half = {1, rc::kInfinity, 1}}), 0u);
-    EXPECT_EQ(count({.half = glm::vec3(-1)}), 0u);
-    EXPECT_EQ(count({.half = glm::vec3(1), .axes = glm::mat3(0.0f)}), 0u);
-    EXPECT_EQ(rc::sphere_overlaps(scene.scene(), glm::vec3(0), -1.0f, kAll, {&hit, 1}), 0u);
-}
-#endif
-
 }  // namespace
 }  // namespace test

@@ -4,10 +4,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
-#include <limits>
-#include <vector>
 
 namespace test {
 namespace {
@@ -259,122 +256,6 @@ TEST(Cast, FarFromTheOriginNothingIsLostThatFloatsStillKnow) {
         ASSERT_EQ(a->normal, b->normal) << i;
     }
     EXPECT_GT(hits, 500);
-}
-
-// The tree is pruned by what has been met so far; pruned too far, walls vanish.
-TEST(Cast, TheTreeHidesNoTriangle) {
-    Random random(13);
-    const Mesh soup = make_soup(random, 120, 2.0f, 0.8f);
-    TestScene scene;
-    scene.add(soup);
-    scene.commit();
-    std::vector<TestScene> alone(soup.triangles.size());
-    for (std::size_t i = 0; i < alone.size(); ++i) {
-        const glm::uvec3 t = soup.triangles[i];
-        alone[i].add({.positions = {soup.positions[t.x], soup.positions[t.y], soup.positions[t.z]},
-                      .triangles = {{0, 1, 2}}});
-        alone[i].commit();
-    }
-    int hits = 0;
-    for (int i = 0; i < 300; ++i) {
-        const glm::vec3 from = random.in_cube(3.0f), along = random.in_cube(i % 2 == 0 ? 0.0f : 0.8f);
-        const glm::vec3 way = random.in_cube(3.0f);
-        const float radius = random.between(0.0f, 0.2f);
-        std::optional<rc::CastHit> first;
-        for (std::uint32_t t = 0; t < alone.size(); ++t) {
-            const auto hit = rc::capsule_cast(alone[t].scene(), {from, from + along}, radius, way, kAll);
-            if (!hit || (first && hit->t >= first->t)) continue;
-            first = hit;
-            first->primitive = t;
-        }
-        const auto hit = rc::capsule_cast(scene.scene(), {from, from + along}, radius, way, kAll);
-        ASSERT_EQ(hit.has_value(), first.has_value()) << i;
-        if (!hit) continue;
-        ++hits;
-        ASSERT_EQ(hit->primitive, first->primitive) << i;
-        ASSERT_EQ(hit->t, first->t) << i;
-        ASSERT_EQ(hit->point, first->point) << i;
-    }
-    EXPECT_GT(hits, 100);
-}
-
-TEST(Cast, BatchesAnswerAsSingleCastsDo) {
-    Random random(9);
-    TestScene scene;
-    scene.add(make_soup(random, 200, 2.0f, 0.8f));
-    scene.commit();
-    std::vector<rc::SphereCast> balls(500);
-    std::vector<rc::CapsuleCast> capsules(500);
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        balls[i] = {random.in_cube(3.0f), random.between(0.0f, 0.4f), random.in_cube(3.0f)};
-        const glm::vec3 from = random.in_cube(3.0f);
-        capsules[i] = {{from, from + random.in_cube(1.0f)}, random.between(0.0f, 0.4f), random.in_cube(3.0f)};
-    }
-    std::vector<rc::CastHit> ball_hits(500), capsule_hits(500);
-    rc::sphere_casts(scene.scene(), balls, kAll, ball_hits);
-    rc::capsule_casts(scene.scene(), capsules, kAll, capsule_hits);
-    const auto same = [](const std::optional<rc::CastHit>& one, const rc::CastHit& many) {
-        if (!one) return many.instance == rc::kNone && many.primitive == rc::kNone;
-        return one->t == many.t && one->depth == many.depth && one->point == many.point &&
-               one->normal == many.normal && one->primitive == many.primitive &&
-               one->instance == many.instance;
-    };
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        const rc::SphereCast& b = balls[i];
-        const rc::CapsuleCast& c = capsules[i];
-        ASSERT_TRUE(
-            same(rc::sphere_cast(scene.scene(), b.centre, b.radius, b.displacement, kAll), ball_hits[i]));
-        ASSERT_TRUE(
-            same(rc::capsule_cast(scene.scene(), c.axis, c.radius, c.displacement, kAll), capsule_hits[i]));
-    }
-}
-
-// Recordings depend on these bits: the same for every compiler, optimisation level and processor.
-TEST(Cast, BitsAreThoseOfTheFirstDay) {
-    Random random(10);
-    TestScene scene;
-    scene.add(make_soup(random, 500, 2.0f, 0.5f));
-    scene.add_instance_of_last(placed_at({1, 2, 3}, {1.5f, -0.7f, 1.1f}));
-    scene.commit();
-    std::uint64_t sum = 0xCBF29CE484222325u;
-    const auto add = [&](std::uint32_t bits) { sum = (sum ^ bits) * 0x100000001B3u; };
-    for (int i = 0; i < 3000; ++i) {
-        const glm::vec3 from = random.in_cube(3.0f), along = random.in_cube(1.0f), way = random.in_cube(4.0f);
-        const rc::Segment axis{from, i % 2 == 0 ? from : from + along};
-        const auto hit = rc::capsule_cast(scene.scene(), axis, random.between(0.0f, 0.3f), way, kAll);
-        const rc::CastHit h = hit.value_or(rc::CastHit{});
-        for (const float f :
-             {h.t, h.depth, h.point.x, h.point.y, h.point.z, h.normal.x, h.normal.y, h.normal.z})
-            add(std::bit_cast<std::uint32_t>(f));
-        add(h.primitive);
-        add(h.instance);
-    }
-    EXPECT_EQ(sum, 3868874059482110618u);
-}
-
-TEST(CastDeathTest, ABadBodyIsAContractViolationOrAMiss) {
-    const TestScene scene = a_floor();
-    const float nan = std::numeric_limits<float>::quiet_NaN();
-    const auto try_all = [&](float bad) {
-        (void)rc::sphere_cast(scene.scene(), {0, bad, 0}, 0.5f, {0, -3, 0}, kAll);
-        return rc::sphere_cast(scene.scene(), {0, 1, 0}, bad, {0, -3, 0}, kAll).has_value() ||
-               rc::sphere_cast(scene.scene(), {0, 1, 0}, 0.5f, {0, bad, 0}, kAll).has_value() ||
-               rc::capsule_cast(scene.scene(), {{0, 1, 0}, {bad, 1, 0}}, 0.5f, {0, -3, 0}, kAll).has_value();
-    };
-#ifdef RC_CONTRACTS
-    EXPECT_DEATH((void)try_all(nan), "raycore expects a body of finite place");
-    EXPECT_DEATH((void)rc::sphere_cast(scene.scene(), {0, 1, 0}, -1.0f, {0, -3, 0}, kAll), "raycore expects");
-#else
-    EXPECT_FALSE(try_all(nan));
-    EXPECT_FALSE(try_all(rc::kInfinity));
-    EXPECT_FALSE(rc::sphere_cast(scene.scene(), {0, 1, 0}, -1.0f, {0, -3, 0}, kAll).has_value());
-#endif
-}
-
-TEST(Cast, AnEmptySceneHoldsNothingUp) {
-    TestScene scene;
-    scene.commit();
-    EXPECT_FALSE(rc::sphere_cast(scene.scene(), {0, 1, 0}, 0.5f, {0, -3, 0}, kAll));
 }
 
 }  // namespace

@@ -7,18 +7,42 @@ struct Entrances {
     Float enter, leave;  // distances; a box is met where enter <= leave
 };
 
-static inline Entrances enter_boxes(const WideNode& node, const BoxRay& box) {
-    Entrances e{splat(box.s_min), splat(box.s_max)};
+// What a ray asks of every node, spread over the lanes: a walk of one ray keeps it by value and so in registers, where
+// the compiler could not leave what a store to the stack might have changed.
+struct SpreadRay {
+    Float near_rcp[3], far_rcp[3], near_at_zero[3], far_at_zero[3], s_min;
+    std::int64_t near_row[3], far_row[3];
+};
+
+static inline SpreadRay spread(const BoxRay& box) {
+    SpreadRay ray;
+    for (int a = 0; a < 3; ++a) {
+        ray.near_rcp[a] = splat(box.near_rcp[a]);
+        ray.far_rcp[a] = splat(box.far_rcp[a]);
+        ray.near_at_zero[a] = splat(box.near_at_zero[a]);
+        ray.far_at_zero[a] = splat(box.far_at_zero[a]);
+        ray.near_row[a] = box.octant->near_row[a];
+        ray.far_row[a] = box.octant->far_row[a];
+    }
+    ray.s_min = splat(box.s_min);
+    return ray;
+}
+
+static inline Entrances enter_boxes(const WideNode& node, const SpreadRay& ray, float s_max) {
+    Entrances e{ray.s_min, splat(s_max)};
     const char* bounds = reinterpret_cast<const char*>(node.bounds);
-    const auto row = [&](std::int32_t offset) {
+    const auto row = [&](std::int64_t offset) {
         return load(reinterpret_cast<const float*>(bounds + offset));
     };
     for (int a = 0; a < 3; ++a) {
-        const Float rcp = splat(box.slope_rcp[a]);
-        e.enter = max(about_fma(row(box.octant->near_row[a]), rcp, splat(box.near_at_zero[a])), e.enter);
-        e.leave = min(about_fma(row(box.octant->far_row[a]), rcp, splat(box.far_at_zero[a])), e.leave);
+        e.enter = max(about_fma(row(ray.near_row[a]), ray.near_rcp[a], ray.near_at_zero[a]), e.enter);
+        e.leave = min(about_fma(row(ray.far_row[a]), ray.far_rcp[a], ray.far_at_zero[a]), e.leave);
     }
     return e;
+}
+
+static inline Entrances enter_boxes(const WideNode& node, const BoxRay& box) {
+    return enter_boxes(node, spread(box), box.s_max);
 }
 
 // Nearest on top; kEmptyTree at the bottom, nearer than anything, ends a walk.
@@ -98,9 +122,10 @@ static inline Places places_of_scene(const SceneView& scene) {
 }
 
 // Asks for an item's memory before it is its turn: nodes and leaves of a large scene are a cache miss each. No branch
-// on what it is: a wrong guess would cost more than the miss.
+// on what it is: a wrong guess would cost more than the miss. Inlined by force: to GCC a function that asks for memory and
+// does nothing else has no effect, and it drops calls of it.
 template <int kLines>
-static inline void prefetch(const Places& places, std::uint32_t item) {
+__attribute__((always_inline)) static inline void prefetch(const Places& places, std::uint32_t item) {
     const std::uint64_t node =
         reinterpret_cast<std::uint64_t>(places.nodes) + std::uint64_t{item} * sizeof(WideNode);
     const std::uint64_t leaf = reinterpret_cast<std::uint64_t>(places.leaves) +

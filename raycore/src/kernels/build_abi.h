@@ -18,6 +18,10 @@ struct alignas(32) GrowingBox {
     float max[4];
 };
 
+// How far the boxes around a triangle reach beyond it, in shares of its largest extent: what its corners' own roundings
+// can move a hit by (README.md, "Why culling never decides"). What the way to the triangle does is forgiven by the ray.
+inline constexpr float kSlack = 0x1p-21f;
+
 // A box to be sorted into a tree.
 struct alignas(32) BuildRef {
     float neg_min[3];
@@ -97,9 +101,9 @@ struct BuildKernels {
                        SlabBins& bins);
     void (*best_plane)(const SlabBins& bins, Split& split);
     // Fills the nine rows of corners of a block of n triangles; the box of those that triangle_check.h finds no fault
-    // with. The others' corners become NaN.
+    // with, and with their slack. The others' corners become NaN.
     void (*fit_block)(float* block, std::uint32_t n, const std::uint32_t* triangles, const float* positions,
-                      GrowingBox& box);
+                      GrowingBox& box, GrowingBox& with_slack);
     // The box of what `node`'s lanes hold, and their half areas.
     void (*measure_lanes)(const WideNode& node, GrowingBox& box, float (&half_areas)[kWidth]);
 };

@@ -3,6 +3,7 @@
 #include "kernels/build_abi.h"
 #define RC_ISA isa_build_avx2
 #include "kernels/build.inl"
+#include "kernels/fit.inl"
 // clang-format on
 
 namespace rc::kernel {

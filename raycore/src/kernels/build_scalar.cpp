@@ -3,6 +3,7 @@
 #include "kernels/build_abi.h"
 #define RC_ISA isa_build_scalar
 #include "kernels/build.inl"
+#include "kernels/fit.inl"
 // clang-format on
 
 namespace rc::kernel {

@@ -139,7 +139,7 @@ class Packet {
         }
         fill_up(rays_, n);
         if (!agree(rays_)) return false;
-        aim_packet(rays_, {scene_.min, scene_.max, farthest * scene_.condition * 0x1p-20f});
+        aim_packet(rays_, {scene_.min, scene_.max}, {false, farthest * scene_.condition * 0x1p-20f});
         if (!is_narrow(rays_, scene_.min, scene_.max)) return false;
         walk_instances();
         return true;
@@ -208,7 +208,7 @@ class Packet {
             inner_.found.begin(lane, instance_of(sinks_[i]) < id ? 0 : kNobody);
         }
         inner_.taken = 0;
-        aim_packet(inner_.rays, {instance.blas.min, instance.blas.max, 0.0f});
+        aim_packet(inner_.rays, {instance.blas.min, instance.blas.max}, {true, 0.0f});
         return true;
     }
 

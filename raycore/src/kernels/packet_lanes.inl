@@ -30,7 +30,7 @@ struct ClosestLanes {
     }
     void give(int lane, float t, std::uint32_t instance, ClosestSink& sink) const {
         sink.t_limit = t;
-        sink.best = {t, u[lane], v[lane], primitive[lane], instance};
+        sink.best = {t, instance, primitive[lane], double(u[lane]), double(v[lane]), 0.0};
     }
 };
 

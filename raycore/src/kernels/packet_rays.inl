@@ -104,8 +104,25 @@ static inline bool agree(PacketRays& rays) {
     return (axes == 1) & (good == 0xFF) & (((down & 0xFF) == 0) | ((up & 0xFF) == 0));
 }
 
-// ray_setup.inl's aim_at_boxes, eight at a time. `t_max` is finite.
-static inline void aim_packet(PacketRays& rays, const TreeBounds& tree) {
+// ray_setup.inl's sharp_padding and wide_padding, eight at a time.
+struct PacketPadding {
+    bool is_sharp;
+    float extra_pad;
+};
+static inline Float pad_of(const PacketPadding& padding, Float origin, Float reach, Float slope,
+                           Float reach_z) {
+    const Float least = splat(padding.extra_pad + kLeastPad);
+    if (padding.is_sharp) return absolute(origin) * splat(0x1p-21f) + (reach_z * splat(0x1p-39f) + least);
+    return ((absolute(origin) + reach) * splat(0x1p-21f) +
+            (absolute(slope) * splat(0x1p-21f) + splat(0x1p-39f)) * reach_z) +
+           least;
+}
+
+// What planes are moved by in shares of their distance: 2^-20, with room for the roundings of the beam.
+inline constexpr float kNearer = 1.0f - 0x1p-19f, kFarther = 1.0f + 0x1p-19f;
+
+// ray_setup.inl's aim, eight at a time. `t_max` is finite, `t_min` not negative.
+static inline void aim_packet(PacketRays& rays, const TreeBounds& tree, const PacketPadding& padding) {
     alignas(32) float slope[3][kPacketRays], low[3][kPacketRays], high[3][kPacketRays];
     for (int lane = 0; lane < kWidth * rays.groups; lane += kWidth) {
         const Float dz = load(rays.direction[rays.kz] + lane), dz_abs = absolute(dz);
@@ -114,12 +131,10 @@ static inline void aim_packet(PacketRays& rays, const TreeBounds& tree) {
             o[a] = load(rays.origin[a] + lane);
             reach[a] = max(absolute(splat(tree.min[a]) - o[a]), absolute(splat(tree.max[a]) - o[a]));
         }
-        const Float extra = splat(tree.extra_pad + 0x1p-100f), reach_z = reach[rays.kz];
+        const Float reach_z = reach[rays.kz];
         for (int a = 0; a < 3; ++a) {
             const Float d = load(rays.direction[a] + lane), s = d / dz_abs;
-            const Float pad = ((absolute(o[a]) + reach[a]) * splat(0x1p-21f) +
-                               (absolute(s) * splat(0x1p-21f) + splat(0x1p-39f)) * reach_z) +
-                              extra;
+            const Float pad = pad_of(padding, o[a], reach[a], s, reach_z);
             const Float rcp = with_sign_of(dz_abs / max(absolute(d), dz_abs * splat(0x1p-40f)), d);
             store(rays.rcp[a] + lane, rcp);
             store(rays.low_at_zero[a] + lane, (splat(0.0f) - (o[a] + pad)) * rcp);
@@ -132,7 +147,8 @@ static inline void aim_packet(PacketRays& rays, const TreeBounds& tree) {
         store(rays.shear_x + lane, load(rays.direction[rays.kx] + lane) / dz);
         store(rays.shear_y + lane, load(rays.direction[rays.ky] + lane) / dz);
         store(rays.dz_abs + lane, dz_abs);
-        const Float s_pad = reach_z * splat(0x1p-21f) + splat(0x1p-100f);
+        const Float s_pad =
+            padding.is_sharp ? splat(kLeastPad) : reach_z * splat(0x1p-21f) + splat(kLeastPad);
         store(rays.s_pad + lane, s_pad);
         const Float s_min = load(rays.t_min + lane) * dz_abs;
         store(rays.s_min + lane, max(s_min - (absolute(s_min) * splat(0x1p-21f) + s_pad), splat(-0x1p127f)));
@@ -144,8 +160,8 @@ static inline void aim_packet(PacketRays& rays, const TreeBounds& tree) {
     for (int a = 0; a < 3; ++a) {
         rays.beam.low[a] = least_of(low[a], rays.groups) - behind;
         rays.beam.high[a] = most_of(high[a], rays.groups) + behind;
-        rays.beam.slope_low[a] = least_of(slope[a], rays.groups);
-        rays.beam.slope_high[a] = most_of(slope[a], rays.groups);
+        rays.beam.slope_low[a] = least_of(slope[a], rays.groups) - 0x1p-19f;
+        rays.beam.slope_high[a] = most_of(slope[a], rays.groups) + 0x1p-19f;
     }
     rays.beam.s_min = least_of(rays.s_min, rays.groups);
     rays.beam.s_max = most_of(rays.s_max, rays.groups);
@@ -172,8 +188,8 @@ static inline std::uint32_t meet_beam(const WideNode& node, const PacketRays& ra
         enter = z_low - splat(beam.high[kz]);
         leave = z_high - splat(beam.low[kz]);
     }
-    enter = max(enter, splat(beam.s_min));
-    leave = min(leave, splat(beam.s_max));
+    enter = max(enter * splat(kNearer), splat(beam.s_min));
+    leave = min(leave * splat(kFarther), splat(beam.s_max));
     std::uint32_t met = less_equal_bits(enter, leave);
     const int across[2] = {rays.kx, rays.ky};
     for (const int a : across) {
@@ -196,8 +212,8 @@ static inline std::uint32_t meet_box(const WideNode& node, int lane, const Packe
         const Float low = about_fma(splat(node.bounds[2 * a][lane]), rcp, load(rays.low_at_zero[a] + at));
         const Float high =
             about_fma(splat(node.bounds[2 * a + 1][lane]), rcp, load(rays.high_at_zero[a] + at));
-        enter = max(min(low, high), enter);
-        leave = min(max(low, high), leave);
+        enter = max(min(low, high) * splat(kNearer), enter);
+        leave = min(max(low, high) * splat(kFarther), leave);
     }
     return less_equal_bits(enter, leave);
 }

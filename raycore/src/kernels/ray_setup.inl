@@ -2,10 +2,13 @@
 //
 // Padding. A triangle is hit when its rounded, sheared corners hold the ray's axis (triangle.inl), so the true
 // point P of the triangle may lie off the true ray, by at most
-//     e (2 R_x + 3 |S_x| R_z)  on axis x,  e = 2^-24, R_a the farthest the tree's bounds reach from the origin on a,
-// and the slab arithmetic errs by at most e (3 |o| + 3 R). pad[] below is at least twice the sum; it moves the near
-// planes towards the ray's start and the far planes away, so P's box is never culled. It costs nothing in the walk:
-// near and far planes merely have different constants. raycore/README.md has the proof line by line.
+//     e (5 |S_x| s + 6 E)  on axis x,  e = 2^-24, s its distance along the ray's axis, E the triangle's largest extent,
+// and the slab arithmetic errs by at most e (4 |o| + 5 |S_x| s). What grows with E is in the boxes (kSlack); what grows
+// with s moves planes by a share of their distance, what grows with o by a constant. Neither costs anything in the walk:
+// near and far planes merely have different factors and constants. raycore/README.md has the proof line by line.
+//
+// It is worth being sharp: rays that start on a surface stand 28 e |o| off it, and boxes padded by more than that, say
+// by shares of the whole tree's size, make every one of them look into its own leaf again.
 
 namespace rc::kernel::RC_ISA {
 namespace {
@@ -69,7 +72,7 @@ inline constexpr Octants kOctants;
 
 // Distances along a box ray are |displacement on axis kz|: s = t * |dz|.
 struct BoxRay {
-    Quad slope_rcp, near_at_zero, far_at_zero;
+    Quad near_rcp, far_rcp, near_at_zero, far_at_zero;
     float s_min, s_max;
     float dz_abs, s_pad;
     const Octant* octant;
@@ -146,20 +149,41 @@ static inline void shear(const float* origin, const float* direction, LocalRay& 
 struct TreeBounds {
     const float* min;
     const float* max;
-    float extra_pad;  // what else the tree's boxes have to forgive; 0 in a BLAS
 };
 
-static inline void aim_at_boxes(const LocalRay& ray, const TreeBounds& tree, float t_min, float t_max,
-                                BoxRay& box) {
+// How far a ray's planes are moved.
+struct Padding {
+    Quad pad;      // across
+    float s_pad;   // along
+    float spread;  // in shares of their distance
+};
+
+inline constexpr float kLeastPad = 0x1p-100f;  // what underflows
+
+// The farthest the tree's bounds lie from the origin along the ray's axis.
+static inline float reach_along(const TreeBounds& tree, const LocalRay& ray) {
+    return larger(absolute(tree.min[ray.kz] - ray.at_kz), absolute(tree.max[ray.kz] - ray.at_kz));
+}
+
+// For boxes without slack around them, and for rays that may meet something behind their origin: by what the bounds'
+// farthest points may err. A slope below 2^-40 strays from the true ray by less than the term with 2^-39.
+static inline Padding wide_padding(const LocalRay& ray, const TreeBounds& tree, float extra_pad) {
     const Quad reach =
         quad_max(absolute(load_quad(tree.min) - ray.origin), absolute(load_quad(tree.max) - ray.origin));
-    float reaches[4];
-    __builtin_memcpy(reaches, &reach, sizeof(reach));
-    const float reach_z = reaches[ray.kz];
+    const float reach_z = reach_along(tree, ray);
+    return {(absolute(ray.origin) + reach) * quad_of(0x1p-21f) +
+                quad_of((0x1p-21f + 0x1p-39f) * reach_z + (extra_pad + kLeastPad)),
+            reach_z * 0x1p-21f + kLeastPad, 0.0f};
+}
 
-    // No slope is steeper than 1; one below 2^-40 strays from the true ray by less than the term with 2^-39.
-    const Quad pad = (absolute(ray.origin) + reach) * quad_of(0x1p-21f) +
-                     quad_of((0x1p-21f + 0x1p-39f) * reach_z + (tree.extra_pad + 0x1p-100f));
+// For boxes with their triangles' slack around them: no more than a point's own way from the origin.
+static inline Padding sharp_padding(const LocalRay& ray, const TreeBounds& tree) {
+    const float reach_z = reach_along(tree, ray);
+    return {absolute(ray.origin) * quad_of(0x1p-21f) + quad_of(0x1p-39f * reach_z + kLeastPad), kLeastPad,
+            0x1p-20f};
+}
+
+static inline void aim(const LocalRay& ray, const Padding& padding, float t_min, float t_max, BoxRay& box) {
     const QuadBits sign = sign_of(ray.direction);
     Quad length = quad_of(ray.dz_abs);
     Quad size = quad_max(absolute(ray.direction), quad_of(ray.dz_abs * 0x1p-40f));
@@ -168,18 +192,38 @@ static inline void aim_at_boxes(const LocalRay& ray, const TreeBounds& tree, flo
         length = quad_of(1.0f);
     }
     const Quad rcp = with_sign(length / size, sign);
-    const Quad towards = with_sign(pad, sign);
-    box.slope_rcp = rcp;
-    box.near_at_zero = -(ray.origin + towards) * rcp;
-    box.far_at_zero = -(ray.origin - towards) * rcp;
+    const Quad towards = with_sign(padding.pad, sign);
+    box.near_rcp = rcp * quad_of(1.0f - padding.spread);
+    box.far_rcp = rcp * quad_of(1.0f + padding.spread);
+    box.near_at_zero = -(ray.origin + towards) * box.near_rcp;
+    box.far_at_zero = -(ray.origin - towards) * box.far_rcp;
     box.octant = &kOctants.of[(sign[0] < 0 ? 1 : 0) | (sign[1] < 0 ? 2 : 0) | (sign[2] < 0 ? 4 : 0)];
 
     box.dz_abs = ray.dz_abs;
-    box.s_pad = reach_z * 0x1p-21f + 0x1p-100f;
+    box.s_pad = padding.s_pad;
     box.s_min = t_min * box.dz_abs;
     box.s_min -= absolute(box.s_min) * 0x1p-21f + box.s_pad;
     if (!(box.s_min > -0x1p127f)) box.s_min = -0x1p127f;
     box.s_max = s_limit(box, t_max);
+}
+
+// Makes a ray ready for the boxes of the top-level tree, which forgive `extra_pad` more.
+static inline void aim_at_instances(const LocalRay& ray, const TreeBounds& tree, float extra_pad, float t_min,
+                                    float t_max, BoxRay& box) {
+    aim(ray, wide_padding(ray, tree, extra_pad), t_min, t_max, box);
+}
+
+// Out of the way of all other rays, of which a hundredth of the time would be lost otherwise.
+__attribute__((noinline)) static void aim_also_behind(const LocalRay& ray, const TreeBounds& tree,
+                                                      float t_min, float t_max, BoxRay& box) {
+    aim(ray, wide_padding(ray, tree, 0.0f), t_min, t_max, box);
+}
+
+// Makes a ray ready for a BLAS's boxes.
+static inline void aim_at_boxes(const LocalRay& ray, const TreeBounds& tree, float t_min, float t_max,
+                                BoxRay& box) {
+    if (__builtin_expect(t_min < 0.0f, 0)) return aim_also_behind(ray, tree, t_min, t_max, box);
+    aim(ray, sharp_padding(ray, tree), t_min, t_max, box);
 }
 
 // The ray in the instance's own frame; the direction is not made unit, so t keeps its meaning. Rounded once.

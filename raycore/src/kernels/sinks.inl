@@ -36,7 +36,7 @@ struct HitAnswers {
     HitOut* hits;
     void write(std::uint64_t i, const ClosestSink& sink) const {
         const bool miss = sink.best.primitive == kNobody;
-        hits[i] = miss ? HitOut{__builtin_inff(), 0.0f, 0.0f, kNobody, kNobody} : sink.best;
+        hits[i] = miss ? HitOut{__builtin_inff(), 0.0f, 0.0f, kNobody, kNobody} : to_hit(sink.best);
     }
 };
 struct AnyAnswers {

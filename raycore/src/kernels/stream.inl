@@ -103,13 +103,17 @@ class Stream {
     }
 
     void decide_leaf(Walker<Sink>& walker) {
-        const float limit = walker.sink.t_limit;
         const Leaf leaf = leaf_at(walker.local.leaves, walker.item);
-        const Corners corners = corners_of(leaf.rows, leaf.count, walker.local.ray);
-        if (test_lanes(leaf, corners, walker.maybe, walker.local, walker.sink))
-            walker.top = 1;  // seen enough: only the end is left on the stack
-        else if (walker.sink.t_limit != limit)
-            walker.top = trim(walker.stack, walker.top, walker.local.box.s_max);
+        if constexpr (Sink::kIsAny) {
+            const Corners corners = corners_of(leaf.rows, leaf.count, walker.local.ray);
+            if (test_lanes(leaf, corners, walker.maybe, walker.local, walker.sink))
+                walker.top = 1;  // seen enough: only the end is left on the stack
+        } else {
+            const float limit = walker.sink.t_limit;
+            test_lanes_in_turn(leaf, walker.maybe, walker.local, walker.sink);
+            if (walker.sink.t_limit != limit)
+                walker.top = trim(walker.stack, walker.top, walker.local.box.s_max);
+        }
     }
 
     // Takes the walk into the next instance; false when there is none, or none matters any more.
@@ -128,7 +132,7 @@ class Stream {
         const RayIn& ray = rays_[walker.ray];
         if (!is_single_instance(scene_) && takes_world_ray(scene_, id)) {
             walker.local.ray = walker.above.ray;
-            walker.local.box = walker.above.box;
+            aim_in_world(scene_, walker.local.ray, sink.t_min, sink.t_limit, walker.local.box);
             stand_at_root(scene_, id, ray, walker.local);
         } else if (!enter_instance(scene_, id, ray, sink.t_min, sink.t_limit, walker.local)) {
             return false;

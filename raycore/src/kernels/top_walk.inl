@@ -47,10 +47,10 @@ static inline bool is_single_instance(const SceneView& scene) {
 template <class Sink>
 static bool walk_top(const SceneView& scene, const RayIn& world, std::uint32_t layers, Sink& sink,
                      Counts& counts) {
-    InstanceRay
-        in_world;  // a ray of the top-level tree, and of every tree that stands in the world's own frame
-    BoxRay& box = in_world.box;
+    InstanceRay in_world;  // a ray of every tree that stands in the world's own frame
+    BoxRay box;            // and of the top-level tree
     enter_scene(scene, world, sink.t_min, sink.t_limit, in_world.ray, box);
+    aim_in_world(scene, in_world.ray, sink.t_min, sink.t_limit, in_world.box);
     Stack stack;
     int top = empty_stack(stack);
     std::uint32_t item = scene.root;
@@ -67,8 +67,9 @@ static bool walk_top(const SceneView& scene, const RayIn& world, std::uint32_t l
             if (walk_tree(in_world, sink, counts)) return true;
         } else {
             if (walk_instance(scene, id, world, sink, counts)) return true;
-            box.s_max = s_limit(box, sink.t_limit);
+            in_world.box.s_max = s_limit(in_world.box, sink.t_limit);
         }
+        box.s_max = s_limit(box, sink.t_limit);
         item = pop(stack, top, box.s_max);
     }
 }

@@ -12,7 +12,7 @@ inline constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
 struct ClosestSink {
     static constexpr bool kIsAny = false;  // the nearest children come first, and every candidate counts
     float t_min, t_limit;
-    HitOut best;
+    Candidate best;  // divided when the walk is over: nobody waits for u and v
 
     void begin(const RayIn& ray) {
         t_min = finite_start(ray.t_min);
@@ -23,7 +23,7 @@ struct ClosestSink {
         const bool lower =
             c.instance < best.instance || (c.instance == best.instance && c.primitive < best.primitive);
         if (c.t < t_limit || lower) {
-            best = to_hit(c);
+            best = c;
             t_limit = c.t;
         }
     }
@@ -76,7 +76,7 @@ static inline bool enter_instance(const SceneView& scene, std::uint32_t id, cons
         if (!has_arrived(origin, direction)) return false;
         shear(origin, direction, local.ray);
     }
-    aim_at_boxes(local.ray, {instance.blas.min, instance.blas.max, 0.0f}, t_min, t_limit, local.box);
+    aim_at_boxes(local.ray, {instance.blas.min, instance.blas.max}, t_min, t_limit, local.box);
     stand_at_root(scene, id, world, local);
     return true;
 }
@@ -88,14 +88,16 @@ static inline void enter_scene(const SceneView& scene, const RayIn& world, float
     float farthest = 0.0f;
     for (int a = 0; a < 3; ++a) farthest = larger(farthest, absolute(world.origin[a]));
     // 2^-20: sixteen roundings, of which the way into the instance's frame and back to t can spend eleven.
-    aim_at_boxes(ray, {scene.min, scene.max, farthest * scene.condition * 0x1p-20f}, t_min, t_limit, box);
+    aim_at_instances(ray, {scene.min, scene.max}, farthest * scene.condition * 0x1p-20f, t_min, t_limit, box);
 }
 
-// Where no instance is stretched much, the padding for the whole scene hardly exceeds that for one instance, and
-// instances that stand in the world's own frame take the ray as it is.
-inline constexpr float kSharedCondition = 8.0f;
+// Instances that stand in the world's own frame take the ray as it is, aimed at boxes that reach as far as the scene.
 static inline bool takes_world_ray(const SceneView& scene, std::uint32_t id) {
-    return scene.instances[id].is_identity & (scene.condition <= kSharedCondition);
+    return scene.instances[id].is_identity;
+}
+static inline void aim_in_world(const SceneView& scene, const LocalRay& ray, float t_min, float t_limit,
+                                BoxRay& box) {
+    aim_at_boxes(ray, {scene.min, scene.max}, t_min, t_limit, box);
 }
 
 struct Leaf {
@@ -143,6 +145,24 @@ static inline bool test_lanes(const Leaf& leaf, const Corners& corners, std::uin
         take_lanes(leaf, m, met, local, sink);
     }
     return Sink::kIsAny;
+}
+
+// The same one lane after the other, for a sink that wants them all: hardly ever are there two. In a stream, which waits
+// for nothing else, eight decisions at once would cost more than one.
+template <class Sink>
+static inline void test_lanes_in_turn(const Leaf& leaf, std::uint32_t maybe, InstanceRay& local, Sink& sink) {
+    for (; maybe != 0; maybe &= maybe - 1) {
+        const auto lane = std::uint32_t(__builtin_ctz(maybe));
+        Candidate candidate;
+        const bool is_met = decide_one(leaf.rows, leaf.count, lane, local.ray, candidate);
+        __builtin_memcpy(&candidate.primitive, leaf.rows + 9 * leaf.count + lane,
+                         sizeof(candidate.primitive));
+        const bool is_within = (sink.t_min <= candidate.t) & (candidate.t <= sink.t_limit);
+        if (!(is_met & is_within & (candidate.primitive != local.skip))) continue;
+        candidate.instance = local.instance;
+        sink.take(candidate);
+        local.box.s_max = s_limit(local.box, sink.t_limit);
+    }
 }
 
 // Lanes that may be met.
@@ -212,18 +232,18 @@ static inline std::uint32_t next_child(const Places& places, const WideNode& nod
 template <class Sink>
 static bool walk_tree(InstanceRay& local, Sink& sink, Counts& counts) {
     ++counts.instances;
+    const SpreadRay ray = spread(local.box);
+    const Places places = places_of_blas(local.nodes, local.leaves);
     Stack stack;
     int top = empty_stack(stack);
     std::uint32_t item = local.root;
     for (;;) {
-        while (!(item & kLeafBit)) {
-            const WideNode& node = local.nodes[item];
-            ++counts.nodes;
-            const Entrances e = enter_boxes(node, local.box);
+        const float s_max = local.box.s_max;
+        for (; !(item & kLeafBit); ++counts.nodes) {
+            const WideNode& node = places.nodes[item];
+            const Entrances e = enter_boxes(node, ray, s_max);
             const std::uint32_t met = less_equal_bits(e.enter, e.leave);
-            item = met == 0 ? pop(stack, top, local.box.s_max)
-                            : next_child<Sink>(places_of_blas(local.nodes, local.leaves), node, e, met, stack,
-                                               top);
+            item = met == 0 ? pop(stack, top, s_max) : next_child<Sink>(places, node, e, met, stack, top);
         }
         if (item == kEmptyTree) return false;
         ++counts.leaves;

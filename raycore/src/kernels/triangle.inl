@@ -14,10 +14,12 @@ namespace {
 struct Candidate {
     float t;
     std::uint32_t instance, primitive;
-    double weight1, weight2, weight_sum;  // barycentrics u = weight1 / weight_sum, v = weight2 / weight_sum
+    // Barycentrics u = weight1 / weight_sum, v = weight2 / weight_sum; a sum of zero says they are divided already.
+    double weight1, weight2, weight_sum;
 };
 
 static inline HitOut to_hit(const Candidate& c) {
+    if (c.weight_sum == 0.0) return {c.t, float(c.weight1), float(c.weight2), c.primitive, c.instance};
     return {c.t, float(c.weight1 / c.weight_sum), float(c.weight2 / c.weight_sum), c.primitive, c.instance};
 }
 
@@ -57,6 +59,30 @@ static inline void decide(const Corners& c, Float dz, std::uint32_t asked, Meeti
     m.weight1 = w1;
     m.weight2 = w2;
     m.weight_sum = sum;
+}
+
+// The same for one ray and one triangle of a leaf: shear and decision again, lane by lane the same operations.
+static inline bool decide_one(const float* rows, std::uint32_t count, std::uint32_t lane, const LocalRay& ray,
+                              Candidate& c) {
+    const auto to = [&](int axis) { return rows + std::uint32_t(axis) * count + lane; };
+    const float *at_x = to(ray.kx), *at_y = to(ray.ky), *at_z = to(ray.kz);
+    double x[3], y[3], z[3];
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const float dz = at_z[3 * i * count] - ray.at_kz;
+        x[i] = double((at_x[3 * i * count] - ray.at_kx) - ray.shear_x * dz);
+        y[i] = double((at_y[3 * i * count] - ray.at_ky) - ray.shear_y * dz);
+        z[i] = double(dz);
+    }
+    const double w0 = x[2] * y[1] - y[2] * x[1];
+    const double w1 = x[0] * y[2] - y[0] * x[2];
+    const double w2 = x[1] * y[0] - y[1] * x[0];
+    const bool front = (w0 >= 0) & (w1 >= 0) & (w2 >= 0);
+    const bool back = (w0 <= 0) & (w1 <= 0) & (w2 <= 0);
+    c.weight1 = w1;
+    c.weight2 = w2;
+    c.weight_sum = (w0 + w1) + w2;
+    c.t = float(((w0 * z[0] + w1 * z[1]) + w2 * z[2]) / (c.weight_sum * double(ray.dz)));
+    return (front | back) & (c.weight_sum != 0);
 }
 
 // A leaf's triangles for one ray; lanes beyond `count` mean nothing.

@@ -1,0 +1,72 @@
+// kernels/fit.inl - triangle blocks and boxes brought to where the vertices are: the inner loops of a refit.
+
+namespace rc::kernel::RC_ISA {
+
+static inline Quad absolute(Quad a) {
+    return reinterpret_cast<Quad>(reinterpret_cast<QuadBits>(a) &
+                                  QuadBits{INT32_MAX, INT32_MAX, INT32_MAX, INT32_MAX});
+}
+
+// As fault_of in triangle_check.h, which is the specification.
+static inline bool is_worth_keeping(const Quad& a, const Quad& b, const Quad& c) {
+    const Quad most = quad_of(kLargestCoordinate);
+    const QuadBits near = (absolute(a) <= most) & (absolute(b) <= most) & (absolute(c) <= most);
+    if ((near[0] & near[1] & near[2]) == 0) return false;
+    const double x1 = double(b[0]) - double(a[0]), y1 = double(b[1]) - double(a[1]),
+                 z1 = double(b[2]) - double(a[2]);
+    const double x2 = double(c[0]) - double(a[0]), y2 = double(c[1]) - double(a[1]),
+                 z2 = double(c[2]) - double(a[2]);
+    return (y1 * z2 != z1 * y2) | (z1 * x2 != x1 * z2) | (x1 * y2 != y1 * x2);
+}
+
+static inline Quad lesser(const Quad& a, const Quad& b) {
+    return a < b ? a : b;
+}
+static inline Quad greater(const Quad& a, const Quad& b) {
+    return a > b ? a : b;
+}
+
+static void fit_block(float* block, std::uint32_t n, const std::uint32_t* triangles, const float* positions,
+                      GrowingBox& box, GrowingBox& with_slack) {
+    Quad low = quad_of(0x1.fffffep127f), high = -low, low_of_all = low, high_of_all = high;
+    const MeshArrays mesh{positions, triangles};
+    for (std::uint32_t lane = 0; lane < n; ++lane) {
+        const std::uint32_t* t = triangles + 3 * lane;
+        Quad p[3] = {corner_of(mesh, t[0]), corner_of(mesh, t[1]), corner_of(mesh, t[2])};
+        if (is_worth_keeping(p[0], p[1], p[2])) {
+            const Quad least = lesser(p[0], lesser(p[1], p[2])), most = greater(p[0], greater(p[1], p[2]));
+            const Quad extent = most - least;
+            const float of_two = extent[0] > extent[1] ? extent[0] : extent[1];
+            const Quad slack = quad_of((of_two > extent[2] ? of_two : extent[2]) * kSlack);
+            low = lesser(least, low);
+            high = greater(most, high);
+            low_of_all = lesser(least - slack, low_of_all);
+            high_of_all = greater(most + slack, high_of_all);
+        } else {
+            p[0] = p[1] = p[2] = quad_of(__builtin_nanf(""));
+        }
+        for (std::uint32_t c = 0; c < 3; ++c)
+            for (std::uint32_t a = 0; a < 3; ++a) block[(3 * c + a) * n + lane] = p[c][a];
+    }
+    store_as<Quad>(box.neg_min, -low);
+    store_as<Quad>(box.max, high);
+    store_as<Quad>(with_slack.neg_min, -low_of_all);
+    store_as<Quad>(with_slack.max, high_of_all);
+}
+
+static void measure_lanes(const WideNode& node, GrowingBox& box, float (&half_areas)[kWidth]) {
+    Oct extent[3];
+    empty(box);
+    for (int a = 0; a < 3; ++a) {
+        const Oct low = load_as<Oct>(node.bounds[2 * a]), high = load_as<Oct>(node.bounds[2 * a + 1]);
+        for (int i = 0; i < kWidth; ++i) {
+            box.neg_min[a] = -low[i] > box.neg_min[a] ? -low[i] : box.neg_min[a];
+            box.max[a] = high[i] > box.max[a] ? high[i] : box.max[a];
+        }
+        extent[a] = high - low;
+    }
+    const Oct area = (extent[0] * extent[1] + extent[1] * extent[2]) + extent[2] * extent[0];
+    for (int i = 0; i < kWidth; ++i) half_areas[i] = extent[0][i] >= 0.0f ? area[i] : 0.0f;
+}
+
+}  // namespace rc::kernel::RC_ISA
