@@ -1,9 +1,9 @@
 // render/scene_needs.h - what of all that the renderer can do a scene asks for: nothing is modelled that nobody would see.
 //
-// Who goes by it: path_tracer picks the kernel that has no code for clear things where there are none, and the one that
-// has none for planes where no filter wants them; a tile keeps no stack of glass bodies where none bends light, and asks
-// for what touches only where bodies of glass do; shading_point looks up no uv where a material has no texture;
-// the rest are branches that are never taken, measured at under 2 % together (game/README.md has the table).
+// Who goes by it: path_tracer picks a kernel without code for clear things where there are none, and one without code for
+// planes where no filter wants them; a path asks what touches only where bodies of glass do; shading_point looks up no uv
+// where a material has no texture; the table of cloth is made where there is cloth. The rest are branches that are never
+// taken. game/README.md has what it costs.
 //
 // Cost      finding: once a level, about a millisecond for a museum; most of it asks which glass closes a volume.
 // Same bits a function of the level. A kernel made for a scene's needs gives the bits of the one made for all.
