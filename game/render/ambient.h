@@ -4,7 +4,7 @@
 // Each point keeps the irradiance on the six sides of a small cube (McTaggart 2004) and how far it sees in every
 // direction (Majercik et al. 2019), so that a point behind a wall does not light this side of it.
 //
-// Cost      baking: about a second for a museum on two cores. A look-up: eight points, ~0.15 us.
+// Cost      baking: 1.8 s of one core for a museum of 7700 points. A look-up: eight points, ~0.15 us.
 // Same bits the directions are fixed, every point is baked by itself, sums run in index order.
 #pragma once
 

@@ -2,8 +2,8 @@
 
 #include "base/det_math.h"
 #include "base/random.h"
+#include "render/ambient_gleams.h"
 #include "render/directions.h"
-#include "render/gleams.h"
 #include "render/octahedron.h"
 #include "render/sampler.h"
 #include "render/shading_point.h"
@@ -32,28 +32,6 @@ constexpr float kMostWalls = 0.25f, kMostBacks = 0.6f;
 constexpr std::size_t kFirstLooks =
     24;  // that tell whether a point is in the open, before the others are sent
 constexpr int kMostCrossings = 6;
-constexpr float kKeptOff = 1.2f;  // radii from a gleam: nearer to it every direction finds it by itself
-
-// The inside of a lamp's shade as a grid point sees it. The light that this lamp, or the glow of the shade, leaves
-// there is looked for by rays of its own; the rays all around leave it out. One of those would find it by chance once
-// in fifty times, and then light its point, and no other, as brightly as fifty.
-struct AimedAt {
-    BallShape ball;
-    std::uint32_t lamp = world::kNoIndex;
-    glm::vec3 axis{0.0f};        // unit, towards its middle
-    float one_minus_cos = 0.0f;  // of the cone that holds it
-
-    [[nodiscard]] bool holds(const glm::vec3& position) const {
-        const glm::vec3 off = position - ball.centre;
-        return glm::dot(off, off) <= ball.radius * ball.radius;
-    }
-};
-struct AimedAtAll {
-    std::array<AimedAt, GleamGuide::kMost> gleam{};
-    std::size_t count = 0;
-
-    [[nodiscard]] std::span<const AimedAt> all() const { return std::span(gleam).first(count); }
-};
 
 // What leaves a patch towards a grid point, by the lamp group it is owed to.
 struct Arrival {
@@ -81,31 +59,6 @@ std::optional<rc::Hit> first_opaque(const SceneView& view, rc::Ray& ray, glm::ve
         ray = rc::spawn_ray(clear.surface, ray.direction);
     }
     return std::nullopt;
-}
-
-// The gleams near the point, all of them: which lamps are on is not known yet.
-AimedAtAll gleams_around(const SceneView& view, const glm::vec3& eye) {
-    AimedAtAll found;
-    for (const SeenGleam& seen : view.prepared.gleams.at(eye)) {
-        const Gleam& gleam = view.prepared.gleams.gleams[seen.gleam];
-        const std::uint32_t lamp =
-            gleam.lamp != world::kNoIndex ? gleam.lamp : view.prepared.parts[gleam.part].lamp;
-        const glm::vec3 way = gleam.ball.centre - eye;
-        const float distance2 = glm::dot(way, way), radius2 = gleam.ball.radius * gleam.ball.radius;
-        if (lamp == world::kNoIndex || !(distance2 > kKeptOff * kKeptOff * radius2)) continue;
-        const float sin2 = radius2 / distance2;
-        found.gleam[found.count++] = {gleam.ball, lamp, way / std::sqrt(distance2),
-                                      sin2 / (1.0f + std::sqrt(1.0f - sin2))};
-    }
-    return found;
-}
-
-bool is_left_out(std::span<const AimedAt> gleams, std::uint32_t lamp, const glm::vec3& position) {
-    return std::any_of(gleams.begin(), gleams.end(),
-                       [&](const AimedAt& g) { return g.lamp == lamp && g.holds(position); });
-}
-bool is_within_any(std::span<const AimedAt> gleams, const glm::vec3& position) {
-    return std::any_of(gleams.begin(), gleams.end(), [&](const AimedAt& g) { return g.holds(position); });
 }
 
 // Radiance that leaves the patch because one lamp shines on it; `seed` says which point of the lamp is asked.
