@@ -7,8 +7,8 @@
 // Lamps that the level's lamp lists know to be in sight of a place are picked there by how much each would give; all
 // else is picked by a light tree, less often, so that nothing is ever missed.
 //
-// Cost      made each frame: 1.0 to 1.3 us a light, most of it the light tree; picking .1 to .3 us where the lists know the
-//           lamps, as long as the tree takes where they do not.
+// Cost      made each frame: 1.0 to 1.3 us a light, most of it the light tree; picking .4 us over
+//           the museum with its 3,710, as long as the tree takes where the lists know no lamp.
 // Threads   immutable once made. Borrows all it is made from.
 // Same bits pure.
 #pragma once

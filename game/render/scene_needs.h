@@ -5,7 +5,7 @@
 // where a material has no texture; the table of cloth is made where there is cloth. The rest are branches that are never
 // taken. game/README.md has what it costs.
 //
-// Cost      finding: once a level, about a millisecond for a museum; most of it asks which glass closes a volume.
+// Cost      finding: once a level, 1.4 ms for a museum; most of it asks which glass closes a volume.
 // Same bits a function of the level. A kernel made for a scene's needs gives the bits of the one made for all.
 #pragma once
 
