@@ -63,10 +63,12 @@ filter::JitteredFrame jittered_frame(const render::Film& film, const render::Cam
         .previous = film.planes.previous};
 }
 
-void FilmDenoiser::denoise(render::Film& film, const Jobs& jobs, const filter::DenoiseSettings& settings) {
+void FilmDenoiser::denoise(render::Film& film, const Jobs& jobs, const filter::DenoiseSettings& settings,
+                           const filter::Plane& change_then) {
     EXPECTS(!film.planes.part.empty());
     gbuffer_from(film.planes, surfaces_);
     light_from(film.planes, light_);
+    light_.change_then = change_then;
     denoiser_.denoise(surfaces_, light_, settings, jobs, picture_);
     filter::image_from(picture_, film.radiance);
 }

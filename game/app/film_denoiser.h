@@ -23,8 +23,9 @@ class FilmDenoiser {
   public:
     // The next frame is the first: after a cut.
     void forget() { denoiser_.forget(); }
-    // Replaces film.radiance. Precondition: film.planes are filled.
-    void denoise(render::Film& film, const Jobs& jobs, const filter::DenoiseSettings& settings = {});
+    // Replaces film.radiance. Precondition: film.planes are filled. `change_then` as filter::Light has it.
+    void denoise(render::Film& film, const Jobs& jobs, const filter::DenoiseSettings& settings = {},
+                 const filter::Plane& change_then = {});
     [[nodiscard]] const filter::Denoiser& denoiser() const { return denoiser_; }
 
   private:

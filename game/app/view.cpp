@@ -148,15 +148,17 @@ void View::add_up(const render::Camera& camera, glm::vec2 jitter, glm::ivec2 sho
 
 void View::expose(const render::SceneView& scene, const render::Camera& camera,
                   const render::PathSettings& settings, std::uint32_t frame, const Jobs& jobs) {
+    if (settings.fills_planes) reshading_.ask_again(scene, jobs, change_);
     render::render_path(scene, camera, settings, frame, jobs, film_);
     is_added_up_ = false;
     if (!settings.fills_planes) return;
+    reshading_.note(camera, settings, frame, film_);
     lens_before_ = lens_;
     lens_ = {film_.planes.eye, film_.planes.corner, film_.planes.right, film_.planes.down};
     filter::DenoiseSettings filtering;
     // A firefly is what stands out and is brighter than four times white.
     filtering.mend.floor = std::min(filtering.mend.floor, 4.0f / kClamp * settings.most_indirect);
-    denoiser_.denoise(film_, jobs, filtering);
+    denoiser_.denoise(film_, jobs, filtering, change_);
 }
 
 void View::expose_next(const render::SceneView& scene, const render::Camera& camera,

@@ -4,6 +4,7 @@
 #include "app/film_denoiser.h"
 #include "app/options.h"
 #include "app/plane_view.h"
+#include "app/reshading.h"
 #include "base/image.h"
 #include "base/jobs.h"
 #include "base/result.h"
@@ -74,6 +75,7 @@ class View {
     void expose_next(const render::SceneView& scene, const render::Camera& camera,
                      render::PathSettings settings, std::uint32_t frame, glm::ivec2 shown, const Jobs& jobs);
     void forget() {
+        reshading_.forget();
         upscaler_.forget();
         denoiser_.forget();
     }
@@ -101,6 +103,8 @@ class View {
     Image added_up_;
     bool is_added_up_ = false;  // the last picture is there, not in the film
     FilmDenoiser denoiser_;
+    Reshading reshading_;
+    filter::Plane change_;
     filter::Pinhole lens_, lens_before_;  // of the last two path-traced pictures
     Image8 picture_;
     float exposure_ = 0.0f;  // 0: none yet

@@ -156,6 +156,26 @@ void gradients(const Reshaded& samples, int width, int height, const Jobs& jobs,
     });
 }
 
+void carry_change(const Plane& then, const Taps& taps, float sharpness, const Jobs& jobs, Plane& change) {
+    const int width = taps.first.width(), height = taps.first.height();
+    change.fit(width, height);
+    const float* whole = then.row(0);
+    run_rows(height, jobs, [&](int y) {
+        const std::int32_t* first = taps.first.row(y);
+        const float* weight[4];
+        for (std::size_t tap = 0; tap < 4; ++tap) weight[tap] = taps.weight[tap].row(y);
+        float* row = change.row(y);
+        for (int x = 0; x < width; ++x) {
+            // Which of the four hardly matters: gradients are smooth over many pixels.
+            std::size_t tap = 0;
+            for (std::size_t i = 1; i < 4; ++i) tap = weight[i][x] > weight[tap][x] ? i : tap;
+            const std::ptrdiff_t step =
+                static_cast<std::ptrdiff_t>(tap / 2) * then.stride() + static_cast<std::ptrdiff_t>(tap % 2);
+            row[x] = weight[tap][x] > 0.0f ? std::min(1.0f, sharpness * whole[first[x] + step]) : 0.0f;
+        }
+    });
+}
+
 void settle(const SettleSettings& settings, const Jobs& jobs, Accumulated& signal, Plane scratch[2]) {
     EXPECTS(settings.sigmas > 0.0f && settings.fast_longest >= 1.0f);
     const int width = signal.light.width(), height = signal.light.height();

@@ -39,6 +39,10 @@ struct Reshaded {
 // `change` gets the picture's size; `width` and `height` lie within the blocks.
 void gradients(const Reshaded& samples, int width, int height, const Jobs& jobs, Plane& change);
 
+// `change` of each pixel is what `then`, of the last frame's size, says where it was, times `sharpness`, at most 1; 0 where
+// it was nowhere: there is no past to be forgotten.
+void carry_change(const Plane& then, const Taps& taps, float sharpness, const Jobs& jobs, Plane& change);
+
 struct SettleSettings {
     float sigmas = 2.0f;        // standard errors of the difference that are put down to chance
     float fast_longest = 2.0f;  // what TemporalSettings said when the fast mean was made

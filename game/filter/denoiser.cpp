@@ -71,12 +71,19 @@ void Denoiser::denoise(const GBuffer& surfaces, const Light& light, const Denois
 
     make_guides(surfaces, jobs, guides_);
     if (has_direct || has_indirect) reproject(surfaces, guides_, seen_, Motion::OfSurface, jobs, taps_);
-    if (has_direct) accumulate_track(light.direct, light.direct_change, &surfaces.albedo, step, direct_);
+    const bool is_asked = !light.change_then.empty() && light.change_then.width() == seen_.part.width() &&
+                          light.change_then.height() == seen_.part.height();
+    const auto change = [&](const Plane& told) -> const Plane& {
+        if (is_asked) carry_change(light.change_then, taps_, settings.change_sharpness, jobs, change_);
+        return is_asked ? change_ : told;
+    };
+    if (has_direct)
+        accumulate_track(light.direct, change(light.direct_change), &surfaces.albedo, step, direct_);
     if (has_indirect)
-        accumulate_track(light.indirect, light.indirect_change, &surfaces.albedo, step, indirect_);
+        accumulate_track(light.indirect, change(light.indirect_change), &surfaces.albedo, step, indirect_);
     if (has_specular) {
         reproject(surfaces, guides_, seen_, Motion::OfReflection, jobs, taps_);
-        accumulate_track(light.specular, light.direct_change, nullptr, step, specular_);
+        accumulate_track(light.specular, change(light.direct_change), nullptr, step, specular_);
     }
     if (has_direct) smooth_track(settings.direct, nullptr, step, direct_);
     if (has_indirect) smooth_track(settings.indirect, nullptr, step, indirect_);

@@ -34,6 +34,8 @@ struct DenoiseSettings {
     AtrousSettings specular{.levels = 3};
     bool settles = true;  // whether unknown changes are looked for
     float settle_sigmas = 2.0f;
+    // Light::change_then counts so many times: a little noise for a moment is less to be seen than light that lingers.
+    float change_sharpness = 4.0f;
 };
 
 class Denoiser {
@@ -70,6 +72,7 @@ class Denoiser {
     Track direct_, indirect_, specular_;
     Plane sums_[2];
     Plane stiffness_;
+    Plane change_;
 };
 
 }  // namespace gh::filter

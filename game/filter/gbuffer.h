@@ -63,10 +63,13 @@ struct Light {
     Plane3 specular;  // off gloss. What perfect mirrors show is split like anything else
     Plane3 clean;     // without noise: sky, lamps themselves, light that needs no chance. Passes unfiltered
 
-    // Share of the light that is known to have changed since the last frame, 0 (none) ... 1 (all): from lamp_change()
-    // or gradients() in anti_lag.h. Empty: 0. `direct_change` is taken for specular as well.
+    // Share of the light that is known to have changed since the last frame, 0 (none) ... 1 (all): from lamp_change() in
+    // anti_lag.h. Empty: 0. `direct_change` is taken for specular as well.
     Plane direct_change;
     Plane indirect_change;
+    // The same of all light, in the pixels of the last frame, from gradients(): found where each pixel was. Empty: 0.
+    // Goes before the other two.
+    Plane change_then;
 };
 
 }  // namespace gh::filter

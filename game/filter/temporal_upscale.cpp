@@ -194,10 +194,12 @@ TemporalUpscaler::Kept TemporalUpscaler::renewed(const JitteredFrame& frame, int
         if (!is_known(kept, around))
             kept.weight = parallax_ < kSlides * nearest.distance ? std::min(kept.weight, 1.0f) : 0.0f;
         const glm::vec3 slack = (nearest.high - nearest.low) * kSlack;
-        const glm::vec3 believed = glm::clamp(kept.color, nearest.low - slack, nearest.high + slack);
+        glm::vec3 believed = glm::clamp(kept.color, nearest.low - slack, nearest.high + slack);
+        // What is proved wrong is given no slack: a lamp's last tenth would linger in it.
+        if (believed != kept.color) believed = glm::clamp(kept.color, nearest.low, nearest.high);
         // The further it had to be brought back, the less its past is worth.
         const float off = glm::length(believed - kept.color), size = glm::length(kept.color) + 1e-6f;
-        kept.weight *= 1.0f - 0.5f * std::min(1.0f, off / size);
+        kept.weight *= 1.0f - std::min(1.0f, off / size);
         kept.color = believed;
     }
     const glm::vec2 large_per_small = glm::vec2(size_) / glm::vec2(width, height);

@@ -104,6 +104,7 @@ class PathTile {
         bool is_done = false;
     };
 
+    [[nodiscard]] bool is_asked(int pixel) const;
     void add_eye_paths(std::uint32_t first_sample, std::uint32_t count);
     void trace_generation(FrameStats& stats);
     void trace_shadows(FrameStats& stats);

@@ -65,10 +65,18 @@ void PathTile<kFeatures>::trace(int tile_x, int tile_y, Film& film, FrameStats& 
 }
 
 template <unsigned kFeatures>
+bool PathTile<kFeatures>::is_asked(int pixel) const {
+    const glm::ivec2& first = frame_.settings.first;
+    const int every = frame_.settings.every;
+    return (x_ + pixel % columns_) % every == first.x && (y_ + pixel / columns_) % every == first.y;
+}
+
+template <unsigned kFeatures>
 void PathTile<kFeatures>::add_eye_paths(std::uint32_t first_sample, std::uint32_t count) {
     now_.clear();
     for (std::uint32_t sample = first_sample; sample < first_sample + count; ++sample) {
         for (int i = 0; i < columns_ * rows_; ++i) {
+            if (!is_asked(i)) continue;
             Path path;
             path.sample = sample;
             path.pixel = static_cast<std::uint16_t>(i);

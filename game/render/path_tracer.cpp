@@ -33,6 +33,7 @@ PathSettings cook_path() {
 void render_path(const SceneView& scene, const Camera& camera, const PathSettings& settings,
                  std::uint32_t frame, const Jobs& jobs, Film& film) {
     EXPECTS(settings.samples_per_pixel >= 1 && settings.samples_per_pixel <= 65536);
+    EXPECTS(settings.every >= 1);
     EXPECTS(settings.max_depth >= 0 && settings.max_depth < 200);
     const int width = film.radiance.width, height = film.radiance.height;
     film.stats = {};

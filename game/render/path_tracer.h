@@ -78,6 +78,9 @@ struct PathSettings {
     float most_indirect = rc::kInfinity;
     float least_indirect_roughness = 0.0f;
     float texture_taps = 8.0f;
+    // Paths start in every n-th pixel of every n-th row only, the others stay black: a picture to compare with another.
+    int every = 1;
+    glm::ivec2 first{0};                       // of them, in [0, every)
     const Environment* environment = nullptr;  // instead of the sky
     // Uses the kernel that can do everything, whatever the scene needs: for tests and measurements.
     bool uses_general_kernel = false;

@@ -1,6 +1,7 @@
 #include "contestants.h"
 
 #include "app/film_denoiser.h"
+#include "app/reshading.h"
 #include "clocks.h"
 #include "filter/temporal_upscale.h"
 #include "render/path_tracer.h"
@@ -101,6 +102,8 @@ std::function<Run()> upscaled_run(const WhittedSettings& settings) {
 // As the game shows it: denoised, and the pictures added up, here to the size they have.
 std::function<Run()> denoised_run(const PathSettings& settings) {
     struct Memory {
+        gh::app::Reshading reshading;
+        gh::filter::Plane change;
         gh::app::FilmDenoiser denoiser;
         gh::filter::TemporalUpscaler upscaler;
         gh::Image added_up;
@@ -109,10 +112,13 @@ std::function<Run()> denoised_run(const PathSettings& settings) {
         return [settings, memory = std::make_shared<Memory>()](const Shot& shot, Film& film) {
             PathSettings jittered = settings;
             jittered.jitter = gh::filter::halton_jitter(shot.frame);
+            jittered.seed = shot.seed;
             const double start = core_ms();
+            memory->reshading.ask_again(shot.scene, shot.jobs, memory->change);
             path_frame(shot, jittered, film);
+            memory->reshading.note(shot.camera, jittered, shot.frame, film);
             const double rendered = core_ms();
-            memory->denoiser.denoise(film, shot.jobs);
+            memory->denoiser.denoise(film, shot.jobs, {}, memory->change);
             memory->upscaler.add(gh::app::jittered_frame(film, shot.camera, jittered.jitter),
                                  {film.radiance.width, film.radiance.height}, shot.jobs, memory->added_up);
             std::swap(film.radiance, memory->added_up);

@@ -1,0 +1,105 @@
+// How light that changed is noticed, whether somebody tells or nobody does.
+#include "filter/anti_lag.h"
+
+#include "base/random.h"
+#include "filter/planes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace gh {
+namespace {
+
+using filter::Plane;
+using filter::Plane3;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr int kWidth = 80, kHeight = 48;
+
+TEST(AntiLag, ChangeIsTheShareOfTheLightThatIsNew) {
+    const Jobs jobs(1);
+    Plane now(8, 1), then(8, 1), change;
+    const float pairs[8][3] = {{0, 0, 0},     {1, 1, 0},     {0, 5, 1},    {5, 0, 1},
+                               {1, 4, 0.75f}, {4, 1, 0.75f}, {kNan, 1, 0}, {kInf, 1, 0}};
+    for (int x = 0; x < 8; ++x) {
+        now.at(x, 0) = pairs[x][0];
+        then.at(x, 0) = pairs[x][1];
+    }
+    filter::lamp_change(now, then, jobs, change);
+    for (int x = 0; x < 8; ++x) EXPECT_EQ(change.at(x, 0), pairs[x][2]) << x;
+}
+
+TEST(AntiLag, GradientsFindALampThatWentOutAndNoChangeInNoise) {
+    const Jobs jobs(1);
+    filter::Reshaded samples{Plane(30, 20), Plane(30, 20), 3};
+    Random random(5);
+    for (int y = 0; y < 20; ++y) {
+        for (int x = 0; x < 30; ++x) {
+            const float light = random.unit();
+            samples.then.at(x, y) = light;  // the same sample, shaded twice
+            samples.now.at(x, y) = x < 15 ? light : 0.0f;
+        }
+    }
+    Plane change;
+    filter::gradients(samples, 90, 60, jobs, change);
+    EXPECT_EQ(change.at(10, 30), 0.0f);
+    EXPECT_EQ(change.at(80, 30), 1.0f);
+}
+
+// What was found in the last picture holds for the pixels that look there now: carried two pixels to the left along with
+// them, sharpened, and none for a pixel that was nowhere.
+TEST(AntiLag, ChangeIsCarriedAlongWithWhatChanged) {
+    Plane then(40, 20);
+    for (int y = 0; y < 20; ++y) {
+        for (int x = 20; x < 40; ++x) then.at(x, y) = x < 30 ? 0.2f : 0.9f;
+    }
+    filter::Taps taps;
+    taps.fit(40, 20);
+    for (int y = 0; y < 20; ++y) {
+        for (int x = 0; x < 38; ++x) {
+            taps.first.at(x, y) = static_cast<std::int32_t>(y * then.stride()) + x + 1;
+            taps.weight[0].at(x, y) = 0.25f;
+            taps.weight[1].at(x, y) = 0.75f;
+        }
+    }
+    Plane change;
+    filter::carry_change(then, taps, 2.0f, Jobs(2), change);
+    for (int y = 0; y < 20; ++y) {
+        for (int x = 0; x < 40; ++x) {
+            const float wanted = x < 18 || x >= 38 ? 0.0f : x < 28 ? 0.4f : 1.0f;
+            ASSERT_FLOAT_EQ(change.at(x, y), wanted) << x << ' ' << y;
+        }
+    }
+}
+
+TEST(AntiLag, SettlingLeavesSteadyNoiseAloneAndPullsAStaleMeanDown) {
+    const Jobs jobs(1);
+    filter::GBuffer surfaces = test::stepped_wall(kWidth, kHeight);
+    const filter::Guides guides = test::guides_of(surfaces);
+    const filter::SeenSurfaces seen{surfaces.lens, guides, surfaces.part};
+    filter::Taps taps;
+    filter::reproject(surfaces, guides, seen, filter::Motion::OfSurface, jobs, taps);
+    filter::Accumulated mean, before;
+    Plane sums[2];
+    for (int n = 1; n <= 32; ++n) {
+        std::swap(mean, before);
+        filter::accumulate(test::noise(kWidth, kHeight, static_cast<std::uint64_t>(n)), {}, taps, before, {},
+                           jobs, mean);
+        filter::settle({}, jobs, mean, sums);
+    }
+    EXPECT_NEAR(test::mean_of(mean.light.y), 0.5, 0.005);
+    EXPECT_GT(test::mean_of(mean.length), 30.0);
+    for (int n = 0; n < 3; ++n) {
+        std::swap(mean, before);
+        filter::accumulate(Plane3(kWidth, kHeight), {}, taps, before, {}, jobs, mean);
+        filter::settle({}, jobs, mean, sums);
+    }
+    EXPECT_LT(test::mean_of(mean.light.y), 0.2) << "without settling it were 0.5 (31/32)^3 = 0.45";
+    EXPECT_LT(test::mean_of(mean.length), 15.0);
+}
+
+}  // namespace
+}  // namespace gh
