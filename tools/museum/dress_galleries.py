@@ -72,7 +72,7 @@ def east():
     for name, at, target, pool, cone, group in (("sage", (9.9, -5.0, 4.0), (12.3, -3.6, 1.35), 5.0, 28, "east"), ("muse", (9.9, 3.4, 4.0), (12.3, 4.6, 1.35), 5.0, 28, "east"),
                                                 ("lens", (9.2, -1.2, 4.1), (10.5, 1.4, 1.2), 4.0, 36, "east"), ("lady_north", (10.4, 15.6, 4.2), (12.2, 17.45, 2.5), 5.0, 36, "east_north")):
         lamps.spot_can(name, at, target, group, pool, cone)
-    lamps.pendant("east_north", (10.7, 16.0, 3.6), 4.6, "east_north", 2.8, 2.8)
+    lamps.pendant("east_north", (10.7, 16.0, 3.6), 4.6, "east_north", 3.4, 2.8)
     doors.switch("east", (8.4, -0.1, 1.25), 90, "east", "Sculpture lamps")
     doors.switch("east_north", (8.4, 14.0, 2.05), 90, "east_north", "North gallery lamp")
 

@@ -35,6 +35,13 @@ def build(folder):
     mouldings.skylights()
     mouldings.coffers("foyer", [-7.86, -5.25, -2.64, 0.0, 2.64, 5.25, 7.86], [-10.86, -8.75, -6.64, -4.0, -1.36, 0.75, 2.86],
                       6.6, plan.SKYLIGHTS["foyer"])
+    mouldings.coffers("stair", [-2.46, -0.9, 0.9, 2.46], [3.54, 4.6, 6.2, 7.86], 5.4)
+    mouldings.coffers("vestibule", [-2.86, -0.95, 0.95, 2.86], [-15.26, -14.1, -12.5, -11.54], 3.9)
+    mouldings.coffers("library", [-12.86, -10.9, -8.5, -6.1, -4.14], [18.74, 20.8, 22.9, 24.86], 4.6)
+    mouldings.joists("cloakroom", (-10.1, -8.75, -7.35), True)
+    mouldings.joists("lodge", (-10.1, -8.75, -7.35), True)
+    mouldings.joists("store", (4.9, 5.9, 6.9), True, depth=0.16)
+    mouldings.joists("workshop", (5.2, 6.6, 10.2, 11.6), False, depth=0.24)
     light.skies()
     light.stars()
     doors.hang()

@@ -173,3 +173,40 @@ def vitrine(name, at, turn=0.0, width=0.72, top=1.18):
     where = (at[0] - hinge * math.sin(a), at[1] + hinge * math.cos(a), at[2] + top + 0.002)
     scene.mesh(name + "_lid", lid, where, turn, kind="door", axis="x", open_angle_deg=-78.0, open_time_s=1.1, title="Vitrine lid")
     return at[2] + z0 + 0.02
+
+
+def palm(seed=2):
+    """A kentia palm in a glazed pot: arching fronds of folded blades, for corners."""
+    import random
+    pick = random.Random(seed)
+    pot = lathe([(0.0, 0.0), (0.17, 0.0), (0.18, 0.04), (0.24, 0.30), (0.27, 0.40), (0.27, 0.45), (0.23, 0.45), (0.22, 0.40)], "marble_green", 10)
+    parts = [pot, lathe([(0.225, 0.40), (0.0, 0.42)], "earth", 10)]
+    for i in range(8):
+        a, length, rise = 2.4 * i + pick.uniform(-0.3, 0.3), pick.uniform(0.55, 0.85), pick.uniform(0.7, 1.25)
+        out = [(length * t * math.cos(a), length * t * math.sin(a), 0.41 + rise * (1.9 * t - 1.05 * t * t)) for t in (0.0, 0.35, 0.7, 1.0)]
+        parts.append(tube(out, [0.014, 0.010, 0.007, 0.003], "leaf", 3))
+        for t in range(1, 4):
+            x, y, z = out[t]
+            for side in (-1, 1):
+                for back in (0.0, 0.5):
+                    bx, by, bz = (p + (q - p) * back for p, q in zip(out[t], out[t - 1]))
+                    reach = 0.28 - 0.04 * t
+                    blade = Shape()
+                    blade.points = [(bx, by, bz), (bx - side * reach * 0.5 * math.sin(a + side * 0.5), by + side * reach * 0.5 * math.cos(a + side * 0.5), bz + 0.02),
+                                    (bx - side * reach * math.sin(a) + 0.14 * math.cos(a), by + side * reach * math.cos(a) + 0.14 * math.sin(a), bz - 0.10),
+                                    (bx + 0.05 * math.cos(a), by + 0.05 * math.sin(a), bz + 0.01)]
+                    blade.face([0, 1, 2, 3], "leaf")
+                    parts.append(blade)
+    return joined(parts)
+
+
+def longcase_clock():
+    """A clock as tall as a man, against a wall behind it (y = 0), with a paper dial and a brass pendulum behind its door."""
+    parts = [block(-0.26, -0.30, 0.0, 0.26, 0, 0.14, "oak_dark", 0.015), block(-0.23, -0.27, 0.14, 0.23, 0, 0.55, "oak_dark", 0.01), block(-0.18, -0.22, 0.55, 0.18, 0, 1.50, "oak_dark", 0.01),
+             block(-0.24, -0.28, 1.50, 0.24, 0, 1.56, "oak_dark", 0.015), block(-0.22, -0.26, 1.56, 0.22, 0, 2.02, "oak_dark", 0.01), block(-0.26, -0.30, 2.02, 0.26, 0, 2.08, "oak_dark", 0.02),
+             block(-0.10, -0.232, 0.66, 0.10, -0.219, 1.40, "marble_black", 0.004)]
+    dial = lathe([(0.175, 0.0), (0.165, 0.014), (0.15, 0.016), (0.148, 0.006), (0.0, 0.006)], "paper", 24).turned(90, "x").moved(0, -0.26, 1.79)
+    ring = lathe([(0.175, 0.0), (0.180, 0.018), (0.152, 0.022), (0.150, 0.0)], "brass", 24).turned(90, "x").moved(0, -0.262, 1.79)
+    hands = [tube([(0, -0.275, 1.79), (-0.05, -0.275, 1.85)], 0.006, "iron", 4), tube([(0, -0.277, 1.79), (0.11, -0.277, 1.81)], 0.005, "iron", 4)]
+    swing = [tube([(0.0, -0.238, 1.36), (0.03, -0.238, 0.86)], 0.006, "brass", 4), lathe([(0.0, 0.012), (0.055, 0.006), (0.055, -0.004), (0.0, -0.004)], "brass", 14).turned(90, "x").moved(0.034, -0.238, 0.82)]
+    return joined(parts + [dial, ring] + hands + swing + [ball(0.035, "gilt", 10, 6).moved(x, -0.15, 2.11 + 0.06 * (x == 0)) for x in (-0.2, 0.0, 0.2)])

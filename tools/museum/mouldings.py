@@ -19,14 +19,14 @@ ARCHITRAVE = [(0.0, -0.004), (0.16, -0.004), (0.16, 0.05), (0.125, 0.055), (0.10
 
 # room: (skirting, dado height or 0 with its panels' material, picture rail height or 0, cornice)
 TRIM = {
-    "vestibule": ("marble_green", 1.0, "stucco", 0, CORNICE), "foyer": ("marble_green", 1.05, "stucco", 0, CORNICE),
-    "stair": ("marble_green", 0, "", 0, CORNICE), "cloakroom": ("oak_dark", 1.1, "oak", 0, SMALL_CORNICE),
-    "lodge": ("oak_dark", 1.1, "oak", 0, SMALL_CORNICE), "west_gallery": ("oak_dark", 0.9, "oak_dark", 3.6, CORNICE),
+    "vestibule": ("marble_green", 1.0, "stucco", 3.0, CORNICE), "foyer": ("marble_green", 1.05, "stucco", 0, CORNICE),
+    "stair": ("marble_green", 0, "", 0, CORNICE), "cloakroom": ("oak_dark", 1.1, "oak", 2.56, SMALL_CORNICE),
+    "lodge": ("oak_dark", 1.1, "oak", 2.56, SMALL_CORNICE), "west_gallery": ("oak_dark", 0.9, "oak_dark", 3.6, CORNICE),
     "west_gallery_north": ("oak_dark", 0.9, "oak_dark", 2.8, CORNICE),
     "east_gallery": ("marble_black", 0.9, "oak_dark", 3.6, CORNICE),
     "east_gallery_north": ("marble_black", 0.9, "oak_dark", 2.8, CORNICE),
     "hall": ("marble_black", 0, "", 0, CORNICE), "cabinet": ("marble_black", 0.9, "oak_dark", 0, CORNICE),
-    "library": ("oak_dark", 0, "", 0, CORNICE), "workshop": ("oak_dark", 1.0, "oak", 0, SMALL_CORNICE),
+    "library": ("oak_dark", 0, "", 3.06, CORNICE), "workshop": ("oak_dark", 1.0, "oak", 2.62, SMALL_CORNICE),
     "store": ("oak_dark", 0, "", 0, SMALL_CORNICE),
 }
 
@@ -150,9 +150,16 @@ def steps_and_ramp():
     scene.mesh("ramp_east", ramp)
 
 
-def _beam(path, z, depth):
+def _beam(path, z, depth, material="stucco"):
     """A beam under a ceiling along a straight plan path, its lower edges cut off."""
-    return sweep([(-0.14, z + 0.002), (-0.14, z - depth + 0.05), (-0.09, z - depth), (0.09, z - depth), (0.14, z - depth + 0.05), (0.14, z + 0.002)], path, "stucco")
+    return sweep([(-0.14, z + 0.002), (-0.14, z - depth + 0.05), (-0.09, z - depth), (0.09, z - depth), (0.14, z - depth + 0.05), (0.14, z + 0.002)], path, material)
+
+
+def joists(name, places, along_x, wood="oak_dark", depth=0.2):
+    """Timber beams under a plain ceiling, across the room at each of `places`, which keep it from being a lid."""
+    x0, y0, _, x1, y1, z = plan.ROOMS[name][:6]
+    paths = [[(x0 + 0.01, p), (x1 - 0.01, p)] if along_x else [(p, y0 + 0.01), (p, y1 - 0.01)] for p in places]
+    scene.mesh("joists_" + name, joined([_beam(path, z, depth, wood) for path in paths]))
 
 
 def coffers(name, xs, ys, z, hole=None):

@@ -97,7 +97,9 @@ def _portrait(seed, coat, hair, ground, wears):
     x, y = (x - 0.5) * 1.0, (y - 0.5) * 1.25
     random = np.random.RandomState(seed)
     lamp = np.array((-0.62, 0.50, 0.60))
-    picture = mix(np.asarray(ground) * 0.35, ground, np.exp(-(x + 0.25) ** 2 * 6) * 0.7 + _noise(shape, 5, seed) * 0.3)
+    coat, hair, ground = np.asarray(coat) * 1.5 + 0.02, np.asarray(hair) * 1.2, np.asarray(ground)
+    halo = np.exp(-((x - 0.12) ** 2 * 5 + (y - 0.10) ** 2 * 3.5))  # the wall behind, lit past the far shoulder
+    picture = mix(ground * 0.45, ground * 2.0, halo * 0.8 + (_noise(shape, 5, seed) - 0.5) * 0.35)
     w, lean = 0.140 + 0.022 * random.rand(), 0.03 * (random.rand() - 0.5)
     skin, lip, dark = np.array((.84, .62, .48)) * (0.92 + 0.1 * random.rand()), (.62, .27, .23), (.07, .05, .04)
     parts = [((0, -0.58, -0.1), (0.43, 0.42, 0.25), coat), ((0, -0.12, 0.0), (0.072, 0.17, 0.09), skin * 0.86),
@@ -108,7 +110,8 @@ def _portrait(seed, coat, hair, ground, wears):
         x0 = lean - 0.008 + side * 0.056
         parts += [((x0, 0.142, 0.150), (0.030, 0.0125, 0.03), (.88, .85, .80)), ((x0 - 0.004, 0.142, 0.170), (0.0115, 0.0120, 0.02), dark),
                   ((x0, 0.153, 0.168), (0.032, 0.005, 0.02), dark), ((x0, 0.180, 0.150), (0.037, 0.007, 0.03), np.asarray(hair) * 0.7),
-                  ((side * 0.075, -0.30, 0.10), (0.085, 0.045, 0.06), (.84, .82, .76))]
+                  ((side * 0.115, -0.40, 0.10), (0.075, 0.20, 0.07), coat * 1.35)]
+    parts += [((0.0, -0.265, 0.10), (0.062, 0.075, 0.05), (.80, .77, .70)), ((0.004, -0.345, 0.11), (0.040, 0.085, 0.04), (.74, .71, .64))]  # a cravat
     parts += [((lean - 0.008, 0.010, 0.165), (0.042, 0.0075, 0.03), np.asarray(lip) * 0.7), ((lean - 0.008, -0.001, 0.163), (0.034, 0.012, 0.03), lip)]
     if wears == "beard":
         parts += [((lean, -0.075, 0.06), (0.115, 0.105, 0.13), hair), ((lean - 0.05, 0.030, 0.165), (0.055, 0.014, 0.03), hair), ((lean + 0.035, 0.030, 0.165), (0.055, 0.014, 0.03), hair),
@@ -128,6 +131,8 @@ def _portrait(seed, coat, hair, ground, wears):
         front = depth > nearest
         picture = np.where(front[..., None], np.asarray(colour) * light[..., None], picture)
         nearest = np.maximum(nearest, depth)
+    for _ in range(2):  # a brush has no edges
+        picture = sum(np.roll(picture, (i, j), (0, 1)) for i in (-1, 0, 1) for j in (-1, 0, 1)) / 9.0
     return _varnish(picture, seed)
 
 

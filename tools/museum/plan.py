@@ -12,10 +12,10 @@ LOW, HIGH = 0.0, 0.8   # the floors of the entrance and of the Hall of Mirrors
 
 # name: (x0, y0, z0, x1, y1, z1, floor, wall, ceiling, title)
 ROOMS = {
-    "cloakroom": (-14.0, -11.0, LOW, -8.4, -6.9, 3.2, "floor_service", "wall_service", "ceiling", "Cloakroom"),
+    "cloakroom": (-14.0, -11.0, LOW, -8.4, -6.9, 3.2, "floor_boards", "wall_paper", "ceiling", "Cloakroom"),
     "vestibule": (-3.0, -15.4, LOW, 3.0, -11.4, 3.9, "floor_foyer", "wall_foyer", "ceiling", "Vestibule"),
     "foyer": (-8.0, -11.0, LOW, 8.0, 3.0, 6.6, "floor_foyer", "wall_foyer", "ceiling", "Foyer"),
-    "lodge": (8.4, -11.0, LOW, 14.0, -6.9, 3.2, "floor_service", "wall_service", "ceiling", "Porter's Lodge"),
+    "lodge": (8.4, -11.0, LOW, 14.0, -6.9, 3.2, "floor_boards", "wall_paper", "ceiling", "Porter's Lodge"),
     "west_gallery": (-13.0, -6.5, LOW, -8.4, 10.6, 4.6, "floor_gallery", "wall_red", "ceiling", "Gallery of Painters"),
     "west_gallery_north": (-13.0, 10.6, HIGH, -8.4, 18.2, 4.6, "floor_gallery", "wall_red", "ceiling", ""),
     "east_gallery": (8.4, -6.5, LOW, 13.0, 10.6, 4.6, "floor_gallery", "wall_green", "ceiling", "Sculpture Gallery"),
@@ -26,7 +26,7 @@ ROOMS = {
     "hall": (-8.0, 8.4, HIGH, 8.0, 18.2, 6.2, "floor_hall", "wall_blue", "ceiling", "Hall of Mirrors"),
     "cabinet": (-3.6, 18.6, HIGH, 3.6, 25.0, 5.2, "floor_cabinet", "wall_violet", "ceiling", "Lens Cabinet"),
     "library": (-13.0, 18.6, HIGH, -4.0, 25.0, 4.6, "floor_cabinet", "wall_cream", "ceiling", "Reading Room"),
-    "workshop": (4.0, 18.6, HIGH, 13.0, 25.0, 4.6, "floor_service", "wall_cream", "ceiling", "Optician's Workshop"),
+    "workshop": (4.0, 18.6, HIGH, 13.0, 25.0, 4.6, "floor_boards", "wall_cream", "ceiling", "Optician's Workshop"),
 }
 
 # name: (x0, y0, z0, x1, y1, z1), each bridging one 0.4 m wall; the plan's doors are hung in doors.py

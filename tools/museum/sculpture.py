@@ -78,13 +78,13 @@ def bust(kind):
         s.melt(hair, 0.008)
         s.melt(s.egg((0, 0.135, 0.64), (0.048, 0.046, 0.048)) + 0.004 * np.sin(s.z * 210), 0.012)
         s.melt(s.egg((0, -0.045, 0.245), (0.13, 0.10, 0.085)), 0.05)
-    carved = s.hewn("bust_" + kind, "statuary", 2100 if kind == "sage" else 1550)
+    carved = s.hewn("bust_" + kind, "statuary", 1700 if kind == "sage" else 1300)
     socle = lathe([(0.0, 0.0), (0.125, 0.0), (0.125, 0.025), (0.11, 0.035), (0.07, 0.055), (0.058, 0.085), (0.062, 0.115), (0.095, 0.15),
                    (0.10, 0.17), (0.0, 0.18)], "marble_black", 14)
     return joined([carved, socle])
 
 
-def lady(triangles=3300):
+def lady(triangles=2650):
     """The Lady of Light, 2 m tall: a robed figure that lifts a lens over her head. Returns her stone and the glass."""
     s = Stone((-0.48, -0.42, -0.02), (0.56, 0.42, 2.42), 0.018)
     angle, r = np.arctan2(s.y, s.x), np.hypot(s.x - 0.01 * np.sin(3 * s.z), s.y)

@@ -49,7 +49,8 @@ def warped(image, amount, seed):
 def marble(size, ground, vein, seed, strength=0.9):
     veins = np.abs(noise(size, 3, seed, 6, 0.55) - 0.5) * 2
     fine = np.abs(noise(size, 7, seed + 9, 5) - 0.5) * 2
-    lines = np.clip(1.0 - veins * 14, 0, 1) * 0.8 + np.clip(1.0 - fine * 18, 0, 1) * 0.35
+    broad = np.abs(warped(noise(size, 2, seed + 17, 4), 0.06, seed + 21) - 0.5) * 2  # few, long and soft-edged
+    lines = np.clip(1.0 - veins * 14, 0, 1) * 0.8 + np.clip(1.0 - fine * 18, 0, 1) * 0.35 + np.clip(1.0 - broad * 9, 0, 1) ** 2 * 0.45
     clouds = noise(size, 2, seed + 3)
     return mix(mix(ground, vein, (clouds - 0.35) * 0.45), vein, lines * strength)
 
@@ -171,9 +172,53 @@ def _ashlar(size):
     return _jointed(picture, u, y * rows, 0.012, (.42, .39, .34))
 
 
+def _paper_stripe(size):
+    """Wallpaper: broad stripes of two greens, a thin gold line at their edges, a sprig in every other one."""
+    x, y = grid(size)
+    stripe = (np.floor(x * 6) % 2).astype(float)
+    picture = mix((.24, .31, .26), (.31, .37, .30), stripe)
+    edge = np.abs(x * 6 - np.round(x * 6))
+    picture = mix(picture, (.62, .52, .28), np.clip(1.2 - np.abs(edge - 0.05) * 60, 0, 1) * 0.8)
+    u, w = (x * 6) % 1 - 0.5, ((y * 4 + 0.5 * np.floor(x * 3)) % 1 - 0.5) * 1.5
+    angle, r = np.arctan2(w, u), np.hypot(u, w)
+    leaf = np.clip((0.16 + 0.10 * np.cos(angle * 4 + np.pi / 2) - r) * 30, 0, 1) * stripe
+    picture = mix(picture, (.17, .23, .17), leaf * 0.8)
+    picture = mix(picture, (.66, .56, .32), np.clip((0.045 - r) * 60, 0, 1) * stripe)
+    return picture * (0.94 + 0.12 * noise(size, 3, 57, 4))[..., None]
+
+
+def _spine(size, colour, seed):
+    """Leather backs of books, one repeat a shelf's pitch from bottom to top: raised bands, a gold-tooled label, rubbed edges."""
+    x, y = grid(size)
+    tone = 0.75 + 0.5 * noise(size, 6, seed, 4)
+    picture = np.asarray(colour) * tone[..., None]
+    up = (y * 0.36 - 0.15) % 0.36  # metres above the shelf
+    for at in (0.03, 0.075, 0.12, 0.165):
+        near = np.abs(up - at)
+        picture = mix(picture, np.asarray(colour) * 1.7, np.clip(1.3 - near * 300, 0, 1) * 0.6)
+        picture = mix(picture, (.70, .52, .22), np.clip(1.2 - np.abs(near - 0.006) * 900, 0, 1) * 0.8)
+    label = (up > 0.128) & (up < 0.158)
+    dark = np.asarray((.16, .05, .03)) if seed % 2 else np.asarray((.05, .08, .06))
+    picture = np.where(label[..., None], dark, picture)
+    letters = label & (np.abs(up - 0.143) < 0.005) & (np.random.RandomState(seed).rand(size // 4).repeat(4)[None, :] > 0.35)
+    return np.where(letters[..., None], (.74, .56, .26), picture)
+
+
+def _boards(size):
+    """Broad oak planks along u, each of its own tone, nailed at their ends."""
+    x, y = grid(size)
+    rows = 8
+    row = np.floor(y * rows).astype(int)
+    u = x + np.array([0.0, 0.45, 0.2, 0.7, 0.1, 0.55, 0.3, 0.8])[row]
+    tone = np.random.RandomState(58).rand(rows, 2)[row, np.floor(u).astype(int) % 2]
+    wood = grain(size, (.36, .22, .115), (.20, .115, .06), 59)
+    picture = wood * (0.72 + 0.5 * tone)[..., None]
+    return _jointed(picture, u, y * rows, 0.02, (.07, .04, .02))
+
+
 # how deep, in metres across one repeat of the picture, its darks lie below its lights
 DEPTHS = {"ashlar": 0.004, "parquet_herringbone": 0.0012, "parquet_squares": 0.0012, "flagstones": 0.006, "damask_red": 0.0008, "damask_green": 0.0008,
-          "damask_blue": 0.0008, "damask_violet": 0.0007, "oak": 0.0010, "oak_dark": 0.0012, "plaster_lime": 0.006, "plaster_cream": 0.003}
+          "damask_blue": 0.0008, "damask_violet": 0.0007, "oak": 0.0010, "oak_dark": 0.0012, "plaster_lime": 0.006, "paper_stripe": 0.0005, "boards": 0.0015, "plaster_cream": 0.003}
 
 
 def relief(name):
@@ -198,6 +243,9 @@ RECIPES = {
     "marble_green": lambda: marble(512, (.07, .17, .13), (.45, .58, .50), 72),
     "marble_rose": lambda: marble(512, (.60, .38, .33), (.85, .74, .68), 73),
     "marble_black": lambda: marble(512, (.06, .06, .07), (.55, .50, .42), 74, .7),
+    "paper_stripe": lambda: _paper_stripe(512), "boards": lambda: _boards(512),
+    "spine_red": lambda: _spine(256, (.30, .06, .05), 63), "spine_green": lambda: _spine(256, (.08, .18, .10), 64),
+    "spine_blue": lambda: _spine(256, (.09, .11, .24), 65), "spine_tan": lambda: _spine(256, (.42, .27, .13), 66),
     "oak": lambda: grain(512, (.55, .37, .20), (.34, .20, .10), 81),
     "oak_dark": lambda: grain(512, (.33, .19, .10), (.16, .085, .045), 82),
     "plaster_cream": lambda: plaster(512, (.78, .72, .60), 91),

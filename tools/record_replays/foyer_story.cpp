@@ -79,6 +79,11 @@ void leave_by_the_workshop(Actor& thief) {
     thief.note("gallery door open");
     thief.go(floor_at(10.7f, 14.0f, kHall), Pace::Walk);
     thief.note("in the sculpture gallery");
+    // On his round the guard looks in from the foyer. Not before he is up the stair or in the west aisle.
+    thief.go(floor_at(9.9f, 9.4f), Pace::Walk);
+    thief.watch(floor_at(10.7f, -2.0f, 1.4f), 14.0f, {.is_low = true},
+                [&] { return thief.guard().position.z < -3.2f || thief.guard().position.x < -3.0f; });
+    thief.note("he is gone");
     thief.go(floor_at(10.4f, 0.5f), Pace::Run);
     thief.note("down the sculpture gallery");
 }
