@@ -3,9 +3,8 @@
 #include "contract.h"
 #include "data.h"
 #include "fill_leaves.h"
+#include "parallel.h"
 #include "triangle_check.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>

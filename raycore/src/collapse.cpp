@@ -1,8 +1,7 @@
 #include "collapse.h"
 
 #include "data.h"
-
-#include <tbb/parallel_for.h>
+#include "parallel.h"
 
 #include <limits>
 #include <memory>
@@ -68,7 +67,7 @@ class Collapse {
     template <class Body>
     static void for_lanes(bool in_parallel, int n, const Body& body) {
         if (in_parallel) {
-            tbb::parallel_for(0, n, body);
+            for_in_parallel(n, body);
         } else {
             for (int i = 0; i < n; ++i) body(i);
         }

@@ -1,9 +1,8 @@
 #include "collect_refs.h"
 
+#include "parallel.h"
 #include "tree_math.h"
 #include "triangle_check.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <vector>
@@ -52,7 +51,7 @@ CollectedRefs collect_refs(const MeshView& mesh, MeshReport& report) {
     // Each block fills its own part of `refs` from the front.
     std::vector<MeshReport> reports((n + kBlock - 1) / kBlock);
     std::vector<GrowingBox> bounds(reports.size(), build::kNoBox);
-    tbb::parallel_for(std::size_t{0}, reports.size(), [&](std::size_t block) {
+    for_in_parallel(reports.size(), [&](std::size_t block) {
         const std::size_t begin = block * kBlock, end = std::min(begin + kBlock, n);
         std::size_t kept = begin;
         for (std::size_t i = begin; i < end; ++i) {

@@ -1,7 +1,6 @@
 #include "fill_leaves.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include "parallel.h"
 
 #include <algorithm>
 #include <atomic>
@@ -47,8 +46,8 @@ void fill_leaves(Blas::Data& blas, std::span<const std::uint32_t> items, const M
     std::fill(blas.leaves.end() - kernel::kLeafPadding, blas.leaves.end(), 0.0f);
     if (blas.root == kernel::kEmptyTree) return;
     if (blas.root & kernel::kLeafBit) return fill_leaf(blas, items, mesh, blas.root);
-    const tbb::blocked_range<std::size_t> all(0, blas.nodes.size(), kNodesAtOnce);
-    tbb::parallel_for(all, [&](const auto& some) {
+    const BlockedRange all(0, blas.nodes.size(), kNodesAtOnce);
+    for_in_parallel(all, [&](const auto& some) {
         for (std::size_t i = some.begin(); i < some.end(); ++i) {
             const kernel::WideNode& node = blas.nodes[i];
             for (int lane = 0; lane < kernel::kWidth; ++lane)

@@ -2,12 +2,9 @@
 
 #include "kernels/kernel_abi.h"
 #include "node_pool.h"
+#include "parallel.h"
 #include "radix_sort.h"
 #include "range_cutter.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <bit>
@@ -21,7 +18,7 @@ using build::Range;
 constexpr std::size_t kParallelSubtree = 4096;
 constexpr std::size_t kBlock = 16384;
 constexpr std::size_t kCutByCost = kernel::kFewRefs;  // ranges of so few refs; larger ones follow the curve
-constexpr int kBitsOfIndex = 28;        // kMaxTriangles needs no more
+constexpr int kBitsOfIndex = 28;                      // kMaxTriangles needs no more
 constexpr int kBitsOfAxis = 12;
 
 // The bits of x, two free ones behind each.
@@ -52,7 +49,7 @@ class MortonBuilder {
   private:
     template <class Body>
     static void for_blocks(std::size_t n, const Body& body) {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, kBlock), [&](const auto& block) {
+        for_in_parallel(BlockedRange(0, n, kBlock), [&](const auto& block) {
             for (std::size_t i = block.begin(); i < block.end(); ++i) body(i);
         });
     }
@@ -127,10 +124,8 @@ class MortonBuilder {
         node.count = BinaryNode::kInner | static_cast<std::uint32_t>(end - begin);
         node.first = pool_.take_pairs(1);
         GrowingBox left, right;
-        tbb::task_group group;
-        group.run([&] { left = build(begin, middle, node.first, depth + 1, nullptr); });
-        right = build(middle, end, node.first + 1, depth + 1, nullptr);
-        group.wait();
+        both_in_parallel([&] { left = build(begin, middle, node.first, depth + 1, nullptr); },
+                         [&] { right = build(middle, end, node.first + 1, depth + 1, nullptr); });
         build::grow(left, right);
         build::set_box(node, left);
         return left;

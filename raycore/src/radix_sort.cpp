@@ -1,6 +1,6 @@
 #include "radix_sort.h"
 
-#include <tbb/parallel_for.h>
+#include "parallel.h"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ void sort_by(std::span<const std::uint64_t> from, std::span<std::uint64_t> to, i
     const auto bucket = [&](std::uint64_t key) { return key >> lowest & (kBuckets - 1); };
     std::vector<Histogram> blocks((from.size() + kBlock - 1) / kBlock);
     const auto for_blocks = [&](const auto& body) {
-        tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
+        for_in_parallel(blocks.size(), [&](std::size_t b) {
             body(blocks[b], b * kBlock, std::min(from.size(), (b + 1) * kBlock));
         });
     };

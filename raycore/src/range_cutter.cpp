@@ -2,10 +2,7 @@
 
 #include "dispatch.h"
 #include "kernels/kernel_abi.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
+#include "parallel.h"
 
 #include <algorithm>
 #include <bit>
@@ -24,8 +21,8 @@ RangeCutter::RangeCutter(std::span<BuildRef> refs, const SplitCosts& costs)
     : refs_(refs.data()), costs_(costs), kernels_(active_build_kernels()) {}
 
 Range RangeCutter::whole(std::size_t n) const {
-    return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, n, kBlock), Range{0, n, kNoBox, kNoBox},
+    return sum_in_parallel(
+        BlockedRange(0, n, kBlock), Range{0, n, kNoBox, kNoBox},
         [&](const auto& part, Range sum) {
             kernels_.measure(refs_ + part.begin(), part.size(), sum.boxes, sum.centres);
             return sum;
@@ -37,9 +34,14 @@ Range RangeCutter::whole(std::size_t n) const {
         });
 }
 
-Range RangeCutter::measured(std::size_t begin, std::size_t end) const {
-    Range range{begin, end, kNoBox, kNoBox};
+void RangeCutter::measure(std::size_t begin, std::size_t end, Range& range) const {
+    range = {begin, end, kNoBox, kNoBox};
     kernels_.measure(refs_ + begin, end - begin, range.boxes, range.centres);
+}
+
+Range RangeCutter::measured(std::size_t begin, std::size_t end) const {
+    Range range;
+    measure(begin, end, range);
     return range;
 }
 
@@ -69,8 +71,8 @@ ObjectSplit RangeCutter::object_split(const Range& range) const {
         if (range.size() < kParallelRange) {
             kernels_.bin(refs_ + range.begin, range.size(), grid, bins);
         } else {
-            bins = tbb::parallel_reduce(
-                tbb::blocked_range<std::size_t>(range.begin, range.end, kBlock), bins,
+            bins = sum_in_parallel(
+                BlockedRange(range.begin, range.end, kBlock), bins,
                 [&](const auto& part, kernel::Bins sum) {
                     kernels_.bin(refs_ + part.begin(), part.size(), grid, sum);
                     return sum;
@@ -136,7 +138,7 @@ std::size_t RangeCutter::partition(const Range& range, const ObjectSplit& split)
     if (range.size() < kParallelRange) return sort(range.begin, range.end);
 
     std::vector<Run> lefts((range.size() + kBlock - 1) / kBlock), rights(lefts.size());
-    tbb::parallel_for(std::size_t{0}, lefts.size(), [&](std::size_t b) {
+    for_in_parallel(lefts.size(), [&](std::size_t b) {
         const std::size_t begin = range.begin + b * kBlock, end = std::min(begin + kBlock, range.end);
         const std::size_t middle = sort(begin, end);
         lefts[b] = {begin, middle};
@@ -169,7 +171,7 @@ void RangeCutter::trade(std::span<Run> lefts, std::span<Run> rights, std::size_t
             right.begin += count;
         }
     }
-    tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t p) {
+    for_in_parallel(pieces.size(), [&](std::size_t p) {
         const auto& [left, right, count] = pieces[p];
         std::swap_ranges(refs_ + left, refs_ + left + count, refs_ + right);
     });

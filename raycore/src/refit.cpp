@@ -1,9 +1,8 @@
 #include "contract.h"
 #include "dispatch.h"
 #include "fit.h"
+#include "parallel.h"
 #include "tree_math.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <limits>
@@ -80,7 +79,7 @@ class Fitting {
         };
         // Lanes are disjoint subtrees and each writes its own; near the leaves a task would cost more than it gains.
         if (nodes_below >= kParallelNodes) {
-            tbb::parallel_for(0, kernel::kWidth, fit_lane);
+            for_in_parallel(kernel::kWidth, fit_lane);
         } else {
             for (int lane = 0; lane < kernel::kWidth; ++lane) fit_lane(lane);
         }
@@ -131,7 +130,7 @@ float cost_of(const Blas::Data& blas) {
     const kernel::BuildKernels& kernels = active_build_kernels();
     // Blocks of fixed size, added up in order: one sum for any thread count.
     std::vector<double> sums((blas.nodes.size() + kCostBlock - 1) / kCostBlock, 0.0);
-    tbb::parallel_for(std::size_t{0}, sums.size(), [&](std::size_t block) {
+    for_in_parallel(sums.size(), [&](std::size_t block) {
         const std::size_t end = std::min(blas.nodes.size(), (block + 1) * kCostBlock);
         for (std::size_t i = block * kCostBlock; i < end; ++i) {
             GrowingBox box;

@@ -2,10 +2,8 @@
 
 #include "clip.h"
 #include "dispatch.h"
+#include "parallel.h"
 #include "top_down_builder.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 
@@ -140,8 +138,8 @@ class SpatialBuilder {
         if (range.size() < kParallelRange) {
             bin(range.begin, range.end, bins);
         } else {
-            bins = tbb::parallel_reduce(
-                tbb::blocked_range<std::size_t>(range.begin, range.end, kBlock), bins,
+            bins = sum_in_parallel(
+                BlockedRange(range.begin, range.end, kBlock), bins,
                 [&](const auto& part, SlabBins sum) {
                     bin(part.begin(), part.end(), sum);
                     return sum;
@@ -215,8 +213,8 @@ class SpatialBuilder {
                 }
             }
         }
-        left = cutter_.measured(range.begin, middle);
-        right = cutter_.measured(middle, end);
+        cutter_.measure(range.begin, middle, left);
+        cutter_.measure(middle, end, right);
     }
 
     // The room left over goes to both parts by their sizes; the right one moves behind the left one's.

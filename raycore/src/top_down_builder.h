@@ -5,9 +5,8 @@
 #pragma once
 
 #include "node_pool.h"
+#include "parallel.h"
 #include "range_cutter.h"
-
-#include <tbb/task_group.h>
 
 namespace rc::build {
 
@@ -47,10 +46,8 @@ class Growth {
             return;
         }
         node.first = pool_.take_pairs(1);
-        tbb::task_group group;
-        group.run([&] { grow(left, node.first, depth + 1, nullptr); });
-        grow(right, node.first + 1, depth + 1, nullptr);
-        group.wait();
+        both_in_parallel([&] { grow(left, node.first, depth + 1, nullptr); },
+                         [&] { grow(right, node.first + 1, depth + 1, nullptr); });
     }
 
     NodePool& pool_;
