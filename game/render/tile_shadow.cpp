@@ -1,5 +1,6 @@
 // The part of a tile that decides which shadow rays are worth sending.
 #include "base/det_math.h"
+#include "base/random.h"
 #include "render/tile.h"
 #include "render/tile_blend.h"
 
@@ -24,9 +25,11 @@ constexpr float kLeastDoubt = 0.02f;
 constexpr std::uint32_t kAmbientPurpose = 0xA0u << 16, kReachPurpose = 0xA1u << 16,
                         kChoicePurpose = 0xA2u << 16;
 
-// The lamp's own coordinates of its middle, as the eye sees it.
-glm::vec2 middle_of(const world::Lamp& lamp) {
-    return lamp.shape == world::LampShape::Sphere ? glm::vec2(0.0f) : glm::vec2(0.5f);
+// Where in the lamp's own coordinates what is seen in a glimmer looks: neighbours do not share what they find there, so
+// the pattern that makes them differ would show as a grid of dots. They all look at the same places, first at the middle.
+glm::vec2 glimmer_point(const world::Lamp& lamp, std::uint32_t number) {
+    if (number == 0) return lamp.shape == world::LampShape::Sphere ? glm::vec2(0.0f) : glm::vec2(0.5f);
+    return sobol_point(number, 0x61133Eu);
 }
 
 // Around the normal, more of them where they count more.
@@ -144,10 +147,8 @@ void TileTracer::ask_lamp(const SeenSurface& surface, const Arrival& arrival, st
     const ShadingPoint& at = surface.at;
     const world::Lamp& lamp = frame_.view.level.lamps[arrival.lamp];
     const glm::vec3& position = at.surface.position;
-    // What is seen in a mirror's glimmer is not shared; one look at the middle is better than noise.
-    const bool looks_about = path.is_leading || frame_.settings.samples_per_pixel > 1;
-    const glm::vec2 u =
-        looks_about ? samplers_[path.pixel].point(number, arrival.lamp, path.depth) : middle_of(lamp);
+    const glm::vec2 u = path.is_leading ? samplers_[path.pixel].point(number, arrival.lamp, path.depth)
+                                        : glimmer_point(lamp, number);
     glm::vec3 target = lamp_point(lamp, position, u);
     // What of the lamp is below the horizon is not in the light; a point there says nothing about the rest.
     const auto is_below = [&](const glm::vec3& p) { return glm::dot(p - position, at.geometric) <= 0.0f; };
