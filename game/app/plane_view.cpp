@@ -84,7 +84,9 @@ glm::vec3 color_at(PlaneView view, const SeenPlanes& seen, const Lenses& lenses,
 }
 
 std::uint8_t byte_of(float value) {
-    return value > 0.0f ? static_cast<std::uint8_t>(std::min(value, 1.0f) * 255.0f + 0.5f) : std::uint8_t{0};
+    if (!(value > 0.0f)) return 0;
+    const float half_up = std::min(value, 1.0f) * 255.0f + 0.5f;
+    return static_cast<std::uint8_t>(half_up);
 }
 
 }  // namespace

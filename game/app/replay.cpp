@@ -71,7 +71,7 @@ std::optional<std::string> divergence(const input::Replay& replay, std::size_t t
 // How it ended, and how often the player was caught on the way there.
 std::string outcome_words(const world::RulesState& rules) {
     const bool is_won = rules.outcome == world::Outcome::Won;
-    const std::string end = is_won                                    ? "won"
+    std::string end = is_won                                    ? "won"
                             : rules.outcome == world::Outcome::Caught ? "caught"
                                                                       : "still playing";
     if (rules.times_caught == 0) return end;

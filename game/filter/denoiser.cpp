@@ -43,7 +43,7 @@ void Denoiser::accumulate_track(const Plane3& light, const Plane& change, const 
     mend(light, step.settings.mend, step.jobs, samples);
     if (albedo != nullptr) demodulate(samples, *albedo, step.jobs, samples);
     std::swap(track.before, track.mean);
-    accumulate(samples, change, taps_, track.before, step.settings.temporal, step.jobs, track.mean);
+    accumulate(samples, change, {taps_, track.before}, step.settings.temporal, step.jobs, track.mean);
     if (step.settings.settles) {
         settle({step.settings.settle_sigmas, step.settings.temporal.fast_longest}, step.jobs, track.mean,
                sums_);

@@ -99,8 +99,10 @@ void Accumulated::fit(int width, int height) {
     for (Plane* plane : {&square, &length, &fast}) plane->fit(width, height);
 }
 
-void accumulate(const Plane3& samples, const Plane& change, const Taps& taps, const Accumulated& before,
+void accumulate(const Plane3& samples, const Plane& change, const Past& past,
                 const TemporalSettings& settings, const Jobs& jobs, Accumulated& out) {
+    const Taps& taps = past.taps;
+    const Accumulated& before = past.before;
     EXPECTS(settings.longest >= 1.0f && settings.fast_longest >= 1.0f);
     EXPECTS(taps.first.width() == samples.width() && taps.first.height() == samples.height());
     EXPECTS(&before != &out);

@@ -32,9 +32,15 @@ struct Accumulated {
     void fit(int width, int height);
 };
 
-// `out` is made to fit. `before` is what the last frame left, empty at the beginning; the taps lie in it. `change` (may
-// be empty) is the share of the light known to be new, 0 ... 1: the mean forgets that share of its past.
-void accumulate(const Plane3& samples, const Plane& change, const Taps& taps, const Accumulated& before,
+// What the last frame left, empty at the beginning, and where in it each pixel was.
+struct Past {
+    const Taps& taps;
+    const Accumulated& before;
+};
+
+// `out` is made to fit, and is not what the past is in. `change` (may be empty) is the share of the light known to be
+// new, 0 ... 1: the mean forgets that share of its past.
+void accumulate(const Plane3& samples, const Plane& change, const Past& past,
                 const TemporalSettings& settings, const Jobs& jobs, Accumulated& out);
 
 }  // namespace gh::filter

@@ -62,7 +62,7 @@ TEST(Temporal, StaticNoiseFallsAsOneOverTheNumberOfFramesUntilTheCap) {
     double variance_at_1 = 0.0;
     for (int n = 1; n <= 64; ++n) {
         std::swap(mean, before);
-        filter::accumulate(test::noise(kWidth, kHeight, static_cast<std::uint64_t>(n)), {}, taps, before,
+        filter::accumulate(test::noise(kWidth, kHeight, static_cast<std::uint64_t>(n)), {}, {taps, before},
                            {.longest = 16.0f}, jobs, mean);
         double sum = 0.0, squares = 0.0;
         for (int y = 0; y < kHeight; ++y) {
@@ -98,8 +98,8 @@ TEST(Temporal, TheVarianceItFindsIsThatOfTheMeanWhetherFromTimeOrFromSpace) {
     filter::Accumulated mean, before;
     for (int n = 1; n <= 16; ++n) {
         std::swap(mean, before);
-        filter::accumulate(test::noise(kWidth, kHeight, static_cast<std::uint64_t>(n)), {}, taps, before, {},
-                           jobs, mean);
+        filter::accumulate(test::noise(kWidth, kHeight, static_cast<std::uint64_t>(n)), {}, {taps, before},
+                           {}, jobs, mean);
         Plane variance;
         filter::estimate_variance(mean, guides, jobs, variance);
         // Nine pixels underestimate by the ninth that their own mean takes.
