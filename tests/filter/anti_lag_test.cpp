@@ -86,15 +86,15 @@ TEST(AntiLag, SettlingLeavesSteadyNoiseAloneAndPullsAStaleMeanDown) {
     Plane sums[2];
     for (int n = 1; n <= 32; ++n) {
         std::swap(mean, before);
-        filter::accumulate(test::noise(kWidth, kHeight, static_cast<std::uint64_t>(n)), {}, taps, before, {},
-                           jobs, mean);
+        filter::accumulate(test::noise(kWidth, kHeight, static_cast<std::uint64_t>(n)), {}, {taps, before},
+                           {}, jobs, mean);
         filter::settle({}, jobs, mean, sums);
     }
     EXPECT_NEAR(test::mean_of(mean.light.y), 0.5, 0.005);
     EXPECT_GT(test::mean_of(mean.length), 30.0);
     for (int n = 0; n < 3; ++n) {
         std::swap(mean, before);
-        filter::accumulate(Plane3(kWidth, kHeight), {}, taps, before, {}, jobs, mean);
+        filter::accumulate(Plane3(kWidth, kHeight), {}, {taps, before}, {}, jobs, mean);
         filter::settle({}, jobs, mean, sums);
     }
     EXPECT_LT(test::mean_of(mean.light.y), 0.2) << "without settling it were 0.5 (31/32)^3 = 0.45";
