@@ -106,7 +106,10 @@ void bench_stages(const Bench& b) {
     filter::accumulate(last.noisy.indirect, {}, {taps, {}}, {}, b.jobs, before);
     b.row(
         "accumulate a signal",
-        [&](int) { filter::accumulate(demodulated, {}, {taps, before}, {}, b.jobs, mean); }, mean.light.x);
+        [&](int) {
+            filter::accumulate(demodulated, {}, {taps, before}, {}, b.jobs, mean);
+        },
+        mean.light.x);
     filter::Plane sums[2];
     b.row(
         "settle a signal", [&](int) { filter::settle({}, b.jobs, mean, sums); }, mean.light.x);
