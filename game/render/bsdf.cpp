@@ -1,6 +1,7 @@
 // The opaque part, and which lobe is picked.
 #include "render/bsdf.h"
 
+#include "render/colour.h"
 #include "render/fresnel.h"
 #include "render/microfacets.h"
 #include "render/sane.h"
@@ -14,10 +15,6 @@ namespace gh::render {
 namespace {
 
 constexpr float kSmoothAlpha = 1e-4f;  // and below: a mirror
-
-float brightest(const glm::vec3& c) {
-    return std::max({c.x, c.y, c.z});
-}
 
 std::size_t index_of(Lobe lobe) {
     return static_cast<std::size_t>(lobe);

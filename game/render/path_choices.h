@@ -2,9 +2,6 @@
 // weighed.
 #pragma once
 
-#include <glm/vec3.hpp>
-
-#include <algorithm>
 #include <cstdint>
 
 namespace gh::render {
@@ -25,10 +22,6 @@ enum Purpose : std::uint32_t {
     kGleamPurpose,
     kWhichGleamPurpose
 };
-
-[[nodiscard]] inline float brightest(const glm::vec3& c) {
-    return std::max({c.x, c.y, c.z});
-}
 
 // The power heuristic: what a find by the way of density `own` counts when another one might have found it too.
 [[nodiscard]] inline float counts(float own, float other) {

@@ -1,6 +1,7 @@
 // The part of a tile that sends light and paths on: which lamp a place asks, and where its path goes next.
 #include "base/det_math.h"
 #include "render/clear_way.h"
+#include "render/colour.h"
 #include "render/path_choices.h"
 #include "render/path_tile.h"
 #include "render/sane.h"

@@ -1,5 +1,6 @@
 // The part of a tile that decides what becomes of a path where it meets something.
 #include "render/clear_way.h"
+#include "render/colour.h"
 #include "render/environment.h"
 #include "render/path_choices.h"
 #include "render/path_tile.h"

@@ -1,6 +1,7 @@
 // The part of a tile that decides for which pixels light is worked out: for all of them, or for a few and, where those
 // differ, for more in between. The rest blend what their neighbours on the same surface found.
 #include "base/det_math.h"
+#include "render/colour.h"
 #include "render/tile.h"
 #include "render/tile_blend.h"
 

@@ -2,6 +2,7 @@
 // when those around one may stand in for it.
 #pragma once
 
+#include "render/colour.h"
 #include "render/tile.h"
 
 #include <glm/vec3.hpp>
@@ -9,10 +10,6 @@
 #include <algorithm>
 
 namespace gh::render {
-
-[[nodiscard]] inline float brightest(const glm::vec3& c) {
-    return std::max({c.x, c.y, c.z});
-}
 
 [[nodiscard]] inline glm::vec3 ratio(const glm::vec3& part, const glm::vec3& whole, float of_nothing) {
     return {whole.x > 0.0f ? part.x / whole.x : of_nothing, whole.y > 0.0f ? part.y / whole.y : of_nothing,

@@ -1,5 +1,6 @@
 // The part of a tile that looks through glass: each border splits a ray into a mirrored and a bent one.
 #include "base/random.h"
+#include "render/colour.h"
 #include "render/fresnel.h"
 #include "render/tile.h"
 
@@ -12,10 +13,6 @@ namespace gh::render {
 namespace {
 
 constexpr std::uint8_t kMostPasses = 32;  // as tile.cpp has it
-
-float brightest(const glm::vec3& c) {
-    return std::max({c.x, c.y, c.z});
-}
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // The part of a tile that finds what light reaches a surface if nothing is in its way: from lamps, and baked, from all
 // around.
 #include "base/det_math.h"
+#include "render/colour.h"
 #include "render/tile.h"
 
 #include <glm/geometric.hpp>
@@ -19,10 +20,6 @@ constexpr float kLeastCosine =
     0.05f;  // a lamp nearer the horizon does not tell how its light turns with the normal
 
 constexpr float kAmbientOpen = 0.9f;  // of what is baked, past what stands in corners
-
-float brightest(const glm::vec3& c) {
-    return std::max({c.x, c.y, c.z});
-}
 
 // 0 where light is too faint to matter, 1 from twice that on: nothing pops in.
 float worth(float light) {

@@ -1,5 +1,6 @@
 // The part of a tile that splits light at an opaque surface: what it scatters, shines back and mirrors.
 #include "base/random.h"
+#include "render/colour.h"
 #include "render/fresnel.h"
 #include "render/tile.h"
 
@@ -19,10 +20,6 @@ constexpr float kRayBelow = 0.15f, kNoRayAbove = 0.25f;           // dielectrics
 constexpr float kMetalRayBelow = 0.25f, kNoMetalRayAbove = 0.4f;  // whose reflection is all they show
 constexpr float kDull = 0.6f,
                 kDullest = 0.8f;  // highlights of rough dielectrics fade into their diffuse light
-
-float brightest(const glm::vec3& c) {
-    return std::max({c.x, c.y, c.z});
-}
 
 float smooth_step(float low, float high, float x) {
     const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);

@@ -1,5 +1,6 @@
 // The part of a tile that sends mirrored rays off polished surfaces: from all of their pixels, or from a few and, where
 // what those bring differs beside the surface's own light, from more in between.
+#include "render/colour.h"
 #include "render/tile.h"
 #include "render/tile_blend.h"
 

@@ -1,6 +1,7 @@
 // The part of a tile that decides which shadow rays are worth sending.
 #include "base/det_math.h"
 #include "base/random.h"
+#include "render/colour.h"
 #include "render/tile.h"
 #include "render/tile_blend.h"
 
