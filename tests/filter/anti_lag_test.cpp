@@ -77,11 +77,7 @@ TEST(AntiLag, ChangeIsCarriedAlongWithWhatChanged) {
 
 TEST(AntiLag, SettlingLeavesSteadyNoiseAloneAndPullsAStaleMeanDown) {
     const Jobs jobs(1);
-    filter::GBuffer surfaces = test::stepped_wall(kWidth, kHeight);
-    const filter::Guides guides = test::guides_of(surfaces);
-    const filter::SeenSurfaces seen{surfaces.lens, guides, surfaces.part};
-    filter::Taps taps;
-    filter::reproject(surfaces, guides, seen, filter::Motion::OfSurface, jobs, taps);
+    const filter::Taps taps = test::taps_of_still_wall(kWidth, kHeight, jobs);
     filter::Accumulated mean, before;
     Plane sums[2];
     for (int n = 1; n <= 32; ++n) {

@@ -67,4 +67,13 @@ filter::Guides guides_of(const filter::GBuffer& surfaces) {
     return guides;
 }
 
+filter::Taps taps_of_still_wall(int width, int height, const Jobs& jobs) {
+    const filter::GBuffer surfaces = stepped_wall(width, height);
+    const filter::Guides guides = guides_of(surfaces);
+    filter::Taps taps;
+    filter::reproject(surfaces, guides, {surfaces.lens, guides, surfaces.part}, filter::Motion::OfSurface,
+                      jobs, taps);
+    return taps;
+}
+
 }  // namespace gh::test

@@ -1,8 +1,10 @@
 // tests/filter/planes.h - planes whose content is known, for the tests of single stages.
 #pragma once
 
+#include "base/jobs.h"
 #include "filter/guides.h"
 #include "filter/plane.h"
+#include "filter/reproject.h"
 
 #include <cstdint>
 
@@ -17,5 +19,7 @@ namespace gh::test {
 // A wall straight ahead at distance 2, its right half at distance 3: as surfaces, one picture high or twice that.
 [[nodiscard]] filter::GBuffer stepped_wall(int width, int height);
 [[nodiscard]] filter::Guides guides_of(const filter::GBuffer& surfaces);
+// Where that wall finds its past when neither it nor the eye moves.
+[[nodiscard]] filter::Taps taps_of_still_wall(int width, int height, const Jobs& jobs);
 
 }  // namespace gh::test

@@ -53,11 +53,7 @@ TEST(Albedo, LightComesOutAsItWentInOverBlackAndWhiteToo) {
 // pixels the estimate of a variance is good to 2.3 % (one deviation); 10 % is four of them.
 TEST(Temporal, StaticNoiseFallsAsOneOverTheNumberOfFramesUntilTheCap) {
     const Jobs jobs(2);
-    filter::GBuffer surfaces = test::stepped_wall(kWidth, kHeight);
-    const filter::Guides guides = test::guides_of(surfaces);
-    const filter::SeenSurfaces seen{surfaces.lens, guides, surfaces.part};
-    filter::Taps taps;
-    filter::reproject(surfaces, guides, seen, filter::Motion::OfSurface, jobs, taps);
+    const filter::Taps taps = test::taps_of_still_wall(kWidth, kHeight, jobs);
     filter::Accumulated mean, before;
     double variance_at_1 = 0.0;
     for (int n = 1; n <= 64; ++n) {
@@ -88,11 +84,7 @@ TEST(Temporal, StaticNoiseFallsAsOneOverTheNumberOfFramesUntilTheCap) {
 
 TEST(Temporal, TheVarianceItFindsIsThatOfTheMeanWhetherFromTimeOrFromSpace) {
     const Jobs jobs(1);
-    filter::GBuffer surfaces = test::stepped_wall(kWidth, kHeight);
-    const filter::Guides guides = test::guides_of(surfaces);
-    const filter::SeenSurfaces seen{surfaces.lens, guides, surfaces.part};
-    filter::Taps taps;
-    filter::reproject(surfaces, guides, seen, filter::Motion::OfSurface, jobs, taps);
+    const filter::Taps taps = test::taps_of_still_wall(kWidth, kHeight, jobs);
     // Luminance of three uniform numbers: (0.2126^2 + 0.7152^2 + 0.0722^2) / 12.
     const double of_one = (0.2126 * 0.2126 + 0.7152 * 0.7152 + 0.0722 * 0.0722) / 12.0;
     filter::Accumulated mean, before;
@@ -101,7 +93,7 @@ TEST(Temporal, TheVarianceItFindsIsThatOfTheMeanWhetherFromTimeOrFromSpace) {
         filter::accumulate(test::noise(kWidth, kHeight, static_cast<std::uint64_t>(n)), {}, {taps, before},
                            {}, jobs, mean);
         Plane variance;
-        filter::estimate_variance(mean, guides, jobs, variance);
+        filter::estimate_variance(mean, test::guides_of(test::stepped_wall(kWidth, kHeight)), jobs, variance);
         // Nine pixels underestimate by the ninth that their own mean takes.
         if (n == 1) {
             EXPECT_NEAR(test::mean_of(variance), of_one * 8.0 / 9.0, 0.1 * of_one);
