@@ -2,10 +2,8 @@
 
 #include "base/det_math.h"
 #include "hands.h"
-#include "sim/doors.h"
 #include "sim/geometry.h"
 #include "sim/stones.h"
-#include "spatial/transforms.h"
 #include "world/eye.h"
 
 #include <fmt/format.h>
@@ -25,32 +23,18 @@ using input::Command;
 constexpr float kArrived = 0.22f;        // metres from a place
 constexpr float kCornerReached = 0.45f;  // metres: corners are cut, as people cut them
 constexpr float kLooksAhead = 3.5f;      // metres along the way
+constexpr float kLooksUpAt = 1.8f;       // metres before a place: what is to be done there takes the eyes
 constexpr float kHeadPull = 0.0075f;     // of what is left to turn, a tick a tick
 constexpr float kHeadDrag = 0.155f;      // of the turning speed, a tick: just short of swinging over
 constexpr float kMostTurn = 0.085f;      // radians a tick
+constexpr float kNearEnough = 0.7f;      // metres a stone may miss by
+constexpr int kFlattest = 36;            // degrees: a flatter stone comes bouncing back
 constexpr int kStuckTicks = 90;
-constexpr int kMostUseTicks = 240;
-constexpr int kMostDoorTicks = 150;
 
 float towards_angle(float left, float& speed) {
     speed += left * kHeadPull - speed * kHeadDrag;
     speed = std::clamp(speed, -kMostTurn, kMostTurn);
     return speed;
-}
-
-// Moves along a horizontal unit direction, wherever the eyes are.
-void walk_along(const glm::vec3& direction, float share, Command& command) {
-    const float yaw = world::radians_from_turn(command.yaw);
-    command.move_forward = input::quantise_move(share * glm::dot(world::forward_of_yaw(yaw), direction));
-    command.move_right = input::quantise_move(share * glm::dot(world::right_of_yaw(yaw), direction));
-}
-
-template <class Things>
-std::optional<std::uint32_t> named(const Things& things, std::string_view name) {
-    for (std::uint32_t i = 0; i < things.size(); ++i) {
-        if (things[i].name == name) return i;
-    }
-    return std::nullopt;
 }
 
 }  // namespace
@@ -73,11 +57,12 @@ void Actor::note(std::string_view what) const {
     const glm::vec3 g = guard().position;
     const glm::vec3 k = guard().last_known;
     fmt::print(
-        "{:6.1f} s  {:<28} at {:5.1f} {:5.1f}, lit {:.2f}; guard {} ({:.0f}) at {:5.1f} {:5.1f}, {:.1f} m, "
+        "{:6.1f} s ({:4.1f} still)  {:<28} at {:5.1f} {:5.1f}, lit {:.2f}; guard {} ({:.0f}) at {:5.1f} "
+        "{:5.1f}, {:.1f} m, "
         "thinks of {:.1f} {:.1f}\n",
-        static_cast<float>(run_.size()) / 60.0f, what, p.x, p.z, state().player.exposure,
-        kAlerts[static_cast<std::size_t>(guard().alert)], guard().suspicion, g.x, g.z, sim::length_of(g - p),
-        k.x, k.z);
+        static_cast<float>(run_.size()) / 60.0f, static_cast<float>(still_ticks_) / 60.0f, what, p.x, p.z,
+        state().player.exposure, kAlerts[static_cast<std::size_t>(guard().alert)], guard().suspicion, g.x,
+        g.z, sim::length_of(g - p), k.x, k.z);
 }
 
 bool Actor::guard_is_in(std::string_view room) const {
@@ -96,6 +81,7 @@ void Actor::step(Command command, const Pose& pose) {
     if (pose.holds_mirror) command.buttons |= Button::HandMirror;
     run_.push_back(command);
     simulation_.step(command);
+    still_ticks_ += sim::flat_length(state().player.velocity) < 0.05f ? 1 : 0;
     if (state().rules.outcome == world::Outcome::Caught) fail("caught");
 }
 
@@ -127,14 +113,14 @@ glm::vec3 Actor::ahead_on(std::span<const glm::vec3> corners) const {
     return ahead + glm::vec3(0.0f, player.height - world::kEyeBelowTop - 0.15f, 0.0f);
 }
 
-void Actor::go(const glm::vec3& place, Pace pace, std::optional<glm::vec3> gaze) {
+void Actor::walk_to(const glm::vec3& place, Pace pace, const Gaze& gaze, const Enough& enough) {
     const glm::vec3 goal = navigation_.nearest(place).value_or(place);
     glm::vec3 was_at = state().player.position;
     int still = 0;
     while (!trouble_ && state().rules.outcome == world::Outcome::Playing) {
         const world::PlayerState& player = state().player;
         const float left = sim::flat_length(goal - player.position);
-        if (left < kArrived) return;
+        if (left < kArrived || (enough && enough())) return;
         std::array<glm::vec3, world::kMaxPathCorners> corners;
         const sim::Path path = navigation_.find_path(player.position, goal, corners);
         if (path.corners == 0) return fail("no way from here");
@@ -146,7 +132,8 @@ void Actor::go(const glm::vec3& place, Pace pace, std::optional<glm::vec3> gaze)
         const glm::vec3 ahead = ahead_on(std::span(corners).subspan(next, path.corners - next));
         const bool is_near =
             sim::flat_length(ahead - player.position) < 0.8f;  // keep the eyes where they are
-        const glm::vec3 look = gaze      ? *gaze - world::eye_of(player)
+        const std::optional<glm::vec3> wanted = gaze(left);
+        const glm::vec3 look = wanted    ? *wanted - world::eye_of(player)
                                : is_near ? world::look_of(player)
                                          : ahead - world::eye_of(player);
         Command command = looking_along(look);
@@ -160,73 +147,27 @@ void Actor::go(const glm::vec3& place, Pace pace, std::optional<glm::vec3> gaze)
     }
 }
 
-void Actor::use(const glm::vec3& point, sim::UseKind kind, std::uint32_t index, std::string_view name) {
-    for (int i = 0; i < kMostUseTicks && !trouble_; ++i) {
-        const sim::UseTarget target = sim::use_target(*level_, *simulation_.snapshot(), state().player);
-        const bool is_it = target.kind == kind && target.index == index;
-        Command command = looking_at(point);
-        if (is_it && std::abs(turn_speed_) < 0.02f) {
-            press(state().player, Button::Use, command);
-            return step(command, {});
-        }
-        step(command, {});
-    }
-    fail(fmt::format("{} is out of reach", name));
+void Actor::go(const glm::vec3& place, Pace pace, std::optional<glm::vec3> gaze) {
+    walk_to(place, pace, [&](float) { return gaze; });
 }
 
-void Actor::put_out(std::string_view lamp_switch) {
-    const auto index = named(level_->switches, lamp_switch);
-    if (!index) return fail(fmt::format("there is no {}", lamp_switch));
-    use(level_->switches[*index].position, sim::UseKind::Switch, *index, lamp_switch);
+void Actor::go_for(const glm::vec3& place, Pace pace, const glm::vec3& thing) {
+    const float soon = pace == Pace::Run ? kLooksUpAt * 2.0f : kLooksUpAt;
+    walk_to(place, pace, [&](float left) { return left < soon ? std::optional(thing) : std::nullopt; });
 }
 
-void Actor::turn(std::string_view mirror, int steps) {
-    const auto index = named(level_->mirrors, mirror);
-    if (!index) return fail(fmt::format("there is no {}", mirror));
-    for (int i = 0; i < steps && !trouble_; ++i) {
-        use(level_->mirrors[*index].pivot + glm::vec3(0.0f, 1.2f, 0.0f), sim::UseKind::Mirror, *index,
-            mirror);
-        watch(level_->mirrors[*index].pivot + glm::vec3(0.0f, 1.2f, 0.0f), 0.6f);
-    }
+void Actor::go_watching_guard(const glm::vec3& place, Pace pace, const Enough& enough) {
+    walk_to(
+        place, pace, [&](float) { return std::optional(guard().position + glm::vec3(0.0f, 1.4f, 0.0f)); },
+        enough);
 }
 
-void Actor::take(std::string_view lens) {
-    const auto index = named(level_->lenses, lens);
-    if (!index) return fail(fmt::format("there is no {}", lens));
-    use(level_->lenses[*index].centre, sim::UseKind::Lens, *index, lens);
+void Actor::go_until(const glm::vec3& place, Pace pace, const Enough& enough) {
+    walk_to(
+        place, pace, [](float) { return std::nullopt; }, enough);
 }
 
-void Actor::take_hand_mirror() {
-    if (level_->hand_mirror == world::kNoIndex) return fail("there is no hand mirror");
-    const glm::vec3 at = simulation_.snapshot()->panes[level_->hand_mirror].centre;
-    use(at, sim::UseKind::HandMirror, level_->hand_mirror, "the hand mirror");
-}
-
-void Actor::open(std::string_view door) {
-    const auto index = named(level_->doors, door);
-    if (!index) return fail(fmt::format("there is no {}", door));
-    use(spatial::door_handle(*level_, state(), *index), sim::UseKind::Door, *index, door);
-    const glm::vec3 handle = level_->doors[*index].handle;
-    for (int i = 0; i < kMostDoorTicks && !trouble_; ++i) {
-        if (sim::openness(*level_, state(), *index) > 0.85f) return;
-        const glm::vec3 away = sim::flat(state().player.position - handle);
-        Command command = looking_along(world::look_of(state().player));
-        // Room for the leaf, in case it swings this way.
-        const glm::vec3 now_at =
-            sim::flat(spatial::door_handle(*level_, state(), *index) - state().player.position);
-        if (sim::length_of(now_at) < 0.75f) walk_along(sim::unit_or_zero(away), 0.7f, command);
-        step(command, {});
-    }
-    fail(fmt::format("{} does not open", door));
-}
-
-void Actor::shut(std::string_view door) {
-    const auto index = named(level_->doors, door);
-    if (!index) return fail(fmt::format("there is no {}", door));
-    use(spatial::door_handle(*level_, state(), *index), sim::UseKind::Door, *index, door);
-}
-
-void Actor::watch(const glm::vec3& at, float seconds, Pose pose, const std::function<bool()>& enough) {
+void Actor::watch(const glm::vec3& at, float seconds, Pose pose, const Enough& enough) {
     const int most = static_cast<int>(seconds * 60.0f);
     for (int i = 0; i < most && !trouble_; ++i) {
         if (enough && enough()) return;
@@ -234,7 +175,7 @@ void Actor::watch(const glm::vec3& at, float seconds, Pose pose, const std::func
     }
 }
 
-void Actor::watch_guard(float seconds, Pose pose, const std::function<bool()>& enough) {
+void Actor::watch_guard(float seconds, Pose pose, const Enough& enough) {
     const int most = static_cast<int>(seconds * 60.0f);
     for (int i = 0; i < most && !trouble_; ++i) {
         if (enough && enough()) return;
@@ -242,7 +183,7 @@ void Actor::watch_guard(float seconds, Pose pose, const std::function<bool()>& e
     }
 }
 
-void Actor::watch_guard_in_mirror(float seconds, float side, const std::function<bool()>& enough) {
+void Actor::watch_guard_in_mirror(float seconds, float side, const Enough& enough) {
     const int most = static_cast<int>(seconds * 60.0f);
     for (int i = 0; i < most && !trouble_; ++i) {
         if (enough && enough()) return;
@@ -268,10 +209,11 @@ float Actor::arc_error(const glm::vec3& at, float pitch, std::uint16_t aim_ticks
 
 void Actor::throw_stone(const glm::vec3& at, Pose pose) {
     if (trouble_) return;
+    // As flat as gets there and stays: who throws high sees nothing but the ceiling.
     float best_pitch = 0.0f, best_error = 1e9f;
     std::uint16_t best_aim = 30;
-    for (std::uint16_t aim = 20; aim <= 60; aim = static_cast<std::uint16_t>(aim + 10)) {
-        for (int degrees = -10; degrees <= 50; degrees += 2) {
+    for (int degrees = kFlattest; degrees <= 50 && best_error > kNearEnough; degrees += 2) {
+        for (std::uint16_t aim = 60; aim >= 20; aim = static_cast<std::uint16_t>(aim - 5)) {
             const float pitch = static_cast<float>(degrees) * (kPi / 180.0f);
             const float error = arc_error(at, pitch, aim);
             if (error < best_error)

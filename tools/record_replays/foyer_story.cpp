@@ -32,34 +32,40 @@ void leave_the_cloakroom(Actor& thief) {
 }
 
 // Into the far corner, so that he searches where the thief is not.
-void send_the_guard_after_a_stone(Actor& thief) {
-    thief.go(floor_at(-7.2f, -8.0f), Pace::Creep, floor_at(-7.9f, -7.8f, 1.25f));
+void send_the_guard_after_a_stone(Actor& thief, int take) {
+    thief.go(floor_at(-7.2f, -8.0f), Pace::Creep, thief.switch_at("switch_foyer_west"));
     thief.put_out("switch_foyer_west");
     thief.note("aisle dark");
     thief.throw_stone(floor_at(7.0f, -10.0f), {.is_low = true});
     thief.note("thrown");
-    thief.watch_guard(3.0f, {.is_low = true}, [&] { return thief.guard().alert >= Alert::Searching; });
+    constexpr float kCreepsUpTo = -5.6f, kTakesApart = 0.5f;  // metres north
+    thief.go_watching_guard(floor_at(-7.2f, kCreepsUpTo + kTakesApart * static_cast<float>(take % 8)),
+                            Pace::Creep);
     thief.note("heard");
-    thief.go(floor_at(-7.2f, -3.0f), Pace::Creep);
-    thief.go(floor_at(-9.0f, -1.4f), Pace::Creep);
+    thief.go(floor_at(-7.2f, -3.0f), Pace::Walk);
+    thief.go(floor_at(-9.0f, -1.4f), Pace::Walk);
     thief.note("in the gallery");
 }
 
-void ready_the_mirror(Actor& thief) {
+void ready_the_mirror(Actor& thief, int take) {
+    constexpr float kRunsUpTo = 8.0f, kTakesApart = 2.0f;  // metres north
+    thief.go(floor_at(-10.7f, kRunsUpTo - kTakesApart * static_cast<float>(take / 8)), Pace::Run);
     thief.go(floor_at(-10.7f, 12.0f, kHall), Pace::Walk);
     thief.note("up the gallery");
     thief.go(floor_at(-7.4f, 15.2f, kHall), Pace::Walk);
     thief.note("in the Hall");
-    thief.go(floor_at(1.9f, 16.9f, kHall), Pace::Walk);
-    thief.turn("mirror_turn_b", 1);
+    thief.go_for(floor_at(2.6f, 15.1f, kHall), Pace::Walk, floor_at(2.6f, 16.2f, 2.0f));
+    thief.turn("mirror_turn_b", 2);
     thief.note("mirror turned");
 }
 
 void take_the_lens(Actor& thief) {
-    thief.go(floor_at(-0.4f, 17.3f, kHall), Pace::Walk);
+    thief.go_for(floor_at(-0.4f, 17.3f, kHall), Pace::Walk, thief.handle_of("door_cabinet_left"));
     thief.note("at the cabinet");
-    thief.open("door_cabinet_left");
-    thief.go(floor_at(0.3f, 21.2f, kHall), Pace::Walk, floor_at(0.0f, 22.0f, 1.8f));
+    thief.open("door_cabinet_left", 0.5f);
+    thief.go(floor_at(-0.4f, 19.8f, kHall), Pace::Walk, floor_at(0.0f, 22.0f, 1.8f));
+    thief.go(floor_at(0.9f, 20.6f, kHall), Pace::Walk, floor_at(0.0f, 22.0f, 1.8f));
+    thief.go(floor_at(0.1f, 21.2f, kHall), Pace::Walk, floor_at(0.0f, 22.0f, 1.8f));
     thief.note("at the vitrine");
     thief.open("vitrine_lid");
     thief.note("lid open");
@@ -67,46 +73,39 @@ void take_the_lens(Actor& thief) {
     thief.note("taken");
 }
 
-void leave_by_the_workshop(Actor& thief) {
-    thief.go(floor_at(3.0f, 21.7f, kHall), Pace::Walk);
-    thief.open("door_cabinet_workshop");
-    thief.note("workshop door open");
-    thief.go(floor_at(5.2f, 21.6f, kHall), Pace::Walk);
-    thief.shut("door_cabinet_workshop");
-    thief.note("shut");
-    thief.go(floor_at(10.6f, 19.4f, kHall), Pace::Walk);
-    thief.open("door_workshop_east");
-    thief.note("gallery door open");
-    thief.go(floor_at(10.7f, 14.0f, kHall), Pace::Walk);
-    thief.note("in the sculpture gallery");
-    // On his round the guard looks in from the foyer. Not before he is up the stair or in the west aisle.
-    thief.go(floor_at(9.9f, 9.4f), Pace::Walk);
-    thief.watch(floor_at(10.7f, -2.0f, 1.4f), 14.0f, {.is_low = true},
-                [&] { return thief.guard().position.z < -3.2f || thief.guard().position.x < -3.0f; });
-    thief.note("he is gone");
-    thief.go(floor_at(10.4f, 0.5f), Pace::Run);
-    thief.note("down the sculpture gallery");
+// He has heard steps, and stands in the archway as the thief comes out.
+void leave_by_the_stair(Actor& thief) {
+    const auto is_seen = [&] { return thief.guard().suspicion > 20.0f; };
+    thief.go(floor_at(-0.3f, 18.4f, kHall), Pace::Walk);
+    thief.note("at the cabinet's door");
+    thief.go_until(floor_at(-0.6f, 16.6f, kHall), Pace::Walk, is_seen);
+    thief.note("in the Hall");
+    thief.go_watching_guard(floor_at(0.4f, 11.2f, kHall), Pace::Walk, is_seen);
+    thief.note("seen");
+    thief.go(floor_at(0.0f, 10.0f, kHall), Pace::Run);
+    thief.note("through the Hall");
+    thief.go(floor_at(0.0f, 2.0f), Pace::Run);
+    thief.note("down the stair");
 }
 
 void walk_out(Actor& thief) {
-    thief.go(floor_at(7.2f, -1.6f), Pace::Walk);
-    thief.note("in the foyer");
-    thief.go(floor_at(0.6f, -10.0f), Pace::Run);
-    thief.open("door_vestibule_right");
+    thief.go_for(floor_at(0.6f, -10.0f), Pace::Run, thief.handle_of("door_vestibule_right"));
+    thief.note("at the vestibule");
+    thief.open("door_vestibule_right", 0.5f);
     thief.note("vestibule open");
-    thief.go(floor_at(0.2f, -14.2f), Pace::Walk);
-    thief.watch(floor_at(0.0f, -15.4f, 1.5f), 1.5f);
+    thief.go(floor_at(0.2f, -14.2f), Pace::Run);
+    thief.watch(floor_at(0.0f, -15.4f, 1.5f), 0.5f);
     thief.note("out");
 }
 
 }  // namespace
 
-void play_foyer(Actor& thief) {
+void play_foyer(Actor& thief, int take) {
     leave_the_cloakroom(thief);
-    send_the_guard_after_a_stone(thief);
-    ready_the_mirror(thief);
+    send_the_guard_after_a_stone(thief, take);
+    ready_the_mirror(thief, take);
     take_the_lens(thief);
-    leave_by_the_workshop(thief);
+    leave_by_the_stair(thief);
     walk_out(thief);
 }
 

@@ -5,7 +5,10 @@
 
 namespace gh::tools {
 
-// Plays it from the spawn to the exit; afterwards the actor has won, or has trouble to report.
-void play_foyer(Actor& thief);
+inline constexpr int kTakes = 32;
+
+// Plays it from the spawn to the exit; afterwards the actor has won, or has trouble to report. Takes differ in how far
+// the thief creeps and runs, and so in what the guard, whose search nobody can direct, is doing when he comes back.
+void play_foyer(Actor& thief, int take);
 
 }  // namespace gh::tools

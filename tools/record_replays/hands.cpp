@@ -42,6 +42,12 @@ bool looks_at(const world::PlayerState& player, const glm::vec3& point) {
     return glm::dot(world::look_of(player), way) > 0.9995f * sim::length_of(way);
 }
 
+void walk_along(const glm::vec3& direction, float share, Command& command) {
+    const float yaw = world::radians_from_turn(command.yaw);
+    command.move_forward = input::quantise_move(share * glm::dot(world::forward_of_yaw(yaw), direction));
+    command.move_right = input::quantise_move(share * glm::dot(world::right_of_yaw(yaw), direction));
+}
+
 void press(const world::PlayerState& player, Button button, Command& command) {
     if ((player.buttons_before & button) == 0) command.buttons |= button;
 }

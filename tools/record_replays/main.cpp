@@ -61,6 +61,7 @@ std::shared_ptr<const world::Level> sketch_of(const world::Level& level) {
 struct Trial {
     bool wins = false;
     float nearest = 1e9f;  // metres between the thief and a guard, at their closest
+    float chased = 1e9f;   // the same while a guard runs after a thief who has the lens
     float still = 0.0f;    // share of the ticks in which the thief stands
 };
 
@@ -73,8 +74,11 @@ Trial tried(const std::shared_ptr<const world::Level>& level, std::uint32_t seed
         simulation.step(command);
         const world::State& state = simulation.state();
         still += sim::flat_length(state.player.velocity) < 0.05f ? 1 : 0;
+        const bool has_lens = !level->lenses.empty() && state.rules.lenses_taken_count != 0;
         for (std::size_t g = 0; g < level->guards.size(); ++g) {
-            trial.nearest = std::min(trial.nearest, sim::length_of(state.guards[g].position - state.player.position));
+            const float apart = sim::length_of(state.guards[g].position - state.player.position);
+            trial.nearest = std::min(trial.nearest, apart);
+            if (has_lens && state.guards[g].alert == world::Alert::Chasing) trial.chased = std::min(trial.chased, apart);
         }
     }
     trial.wins = simulation.state().rules.outcome == world::Outcome::Won;
@@ -88,22 +92,32 @@ bool is_a_good_show(const std::vector<input::Command>& run, const Trial& trial) 
     return run.size() <= kLongest && trial.nearest < 7.0f;
 }
 
-// The run that was written for this level, if there is one and it still plays.
+// The run that was written for this level, if there is one and it still plays: the first take that ends in a narrow
+// escape, else the first that wins at all.
 std::optional<std::vector<input::Command>> play_story(const std::string& name,
                                                       const std::shared_ptr<const world::Level>& level,
                                                       std::uint32_t seed) {
+    constexpr float kNarrow = 5.0f;     // metres
+    constexpr float kMostStill = 0.2f;  // of the time
     if (name != "foyer") return std::nullopt;
-    tools::Actor thief(level, seed);
-    tools::play_foyer(thief);
-    if (thief.trouble()) {
-        fmt::print("the story of {} breaks off: {}\n", name, *thief.trouble());
-        return std::nullopt;
+    std::optional<std::vector<input::Command>> won;
+    for (int take = 0; take < tools::kTakes; ++take) {
+        tools::Actor thief(level, seed);
+        tools::play_foyer(thief, take);
+        if (thief.trouble()) {
+            fmt::print("the story of {}, take {}, breaks off: {}\n", name, take, *thief.trouble());
+            continue;
+        }
+        const Trial trial = tried(level, seed, thief.run());
+        fmt::print("the story of {}, take {}: {} in {} ticks, stands still {:.1f} %, the guard never nearer than "
+                   "{:.1f} m, and {:.1f} m in the end\n",
+                   name, take, trial.wins ? "wins" : "does not win", thief.run().size(), 100.0f * trial.still,
+                   trial.nearest, trial.chased);
+        if (!trial.wins) continue;
+        if (trial.chased < kNarrow && trial.still < kMostStill) return thief.run();
+        if (!won) won = thief.run();
     }
-    const Trial trial = tried(level, seed, thief.run());
-    fmt::print("the story of {}: {} in {} ticks, stands still {:.0f} %, a guard {:.1f} m away\n", name,
-               trial.wins ? "wins" : "does not win", thief.run().size(), 100.0f * trial.still, trial.nearest);
-    if (!trial.wins) return std::nullopt;
-    return thief.run();
+    return won;
 }
 
 // Manners of going about it, a burglar's and an artist's: the first that is a good show, else the shortest.
