@@ -99,6 +99,56 @@ TEST_P(Company, ABundleIsToldWhatEachOfItsRaysIsToldAlone) {
     }
 }
 
+// Rays from about `from` that go every way, some no farther than a little, some into corners, a few along axes.
+std::vector<rc::Ray> make_crowd(const Mesh& mesh, const glm::vec3& from, float foot, float reach,
+                                std::size_t n, Random& random) {
+    std::vector<rc::Ray> rays;
+    for (std::size_t i = 0; i < n; ++i) {
+        rc::Ray ray{.origin = from + random.in_cube(foot), .direction = random.direction() * reach};
+        if (i % 4 == 0)
+            ray.direction = mesh.positions[random.below(std::uint32_t(mesh.positions.size()))] - ray.origin;
+        if (i % 8 == 1) ray.direction = {i % 16 == 1 ? 0.0f : -0.0f, i % 32 < 16 ? reach : -reach, 0.0f};
+        if (i % 16 == 6) ray.direction *= 1e-30f;  // too slow to walk in company
+        if (i % 2 == 1) ray.t_max = random.between(0.0f, 1.5f);
+        if (i % 16 == 10) ray.t_min = random.between(-1.0f, 0.5f);
+        if (ray.direction == glm::vec3(0.0f)) ray.direction.y = reach;
+        ray.skip_primitive = random.below(std::uint32_t(mesh.triangles.size()));
+        ray.skip_instance = i % 8 == 5 ? 0u : rc::kNone;
+        rays.push_back(ray);
+    }
+    return rays;
+}
+
+// A pixel's neighbours ask for shade and for lamps from nearly the same spot, whichever way they look.
+TEST_P(Company, ACrowdFromOneSpotIsToldWhatEachOfItsRaysIsToldAlone) {
+    Random random(80);
+    for (const float scale : {1.0f, 1e-4f, 3e5f}) {
+        Mesh mesh = test::make_ball(glm::vec3(0.3f) * scale, scale, 24);
+        test::append(mesh, test::make_box(glm::vec3(-3 * scale), glm::vec3(3 * scale)));
+        const auto blas = rc::build_blas(mesh.view());
+        rc::SceneBuilder one, several;
+        one.add({blas});
+        several.add({blas});
+        several.add({blas, glm::mat4x3(0.5f, 0, 0, 0, 0, 0.5f, 0, -0.5f, 0, scale, 0, 0)});
+        several.add({blas, glm::mat4x3(1, 0, 0, 0, 1, 0, 0, 0, 1, 0, scale, 0)});
+        const auto alone = one.commit(), among = several.commit();
+        std::size_t hits = 0, asked = 0;
+        for (const std::size_t n : kSizes) {
+            for (const float foot : {0.0f, 0.05f, 0.5f}) {
+                for (const float reach : {0.3f, 3.0f}) {
+                    const glm::vec3 from = random.in_cube(2.5f * scale);
+                    const auto rays = make_crowd(mesh, from, foot * scale, reach * scale, n, random);
+                    hits += expect_same_as_alone(*alone, rays, rc::kAllLayers, GetParam());
+                    hits += expect_same_as_alone(*among, rays, rc::kAllLayers, GetParam());
+                    asked += 2 * n;
+                }
+            }
+        }
+        EXPECT_GT(hits, asked / 3) << "scale " << scale;
+        EXPECT_LT(hits, asked) << "scale " << scale;
+    }
+}
+
 TEST_P(Company, HoldsAcrossInstancesTiesAndLayers) {
     Random random(78);
     const Mesh ball = test::make_ball(glm::vec3(0.0f), 1.0f, 16);

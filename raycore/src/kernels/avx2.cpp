@@ -9,8 +9,10 @@
 #include "kernels/top_walk.inl"
 #include "kernels/stream.inl"
 #include "kernels/packet_rays.inl"
+#include "kernels/packet_boxes.inl"
 #include "kernels/packet_lanes.inl"
 #include "kernels/packet.inl"
+#include "kernels/packet_ask.inl"
 #include "kernels/sinks.inl"
 // clang-format on
 

@@ -3,49 +3,92 @@
 namespace rc::kernel::RC_ISA {
 namespace {
 
+// Which of a group lie within their limits.
+static inline std::uint32_t within(const float* t_min, const float* t_limit, const Meetings& m) {
+    return m.met & less_equal_bits(load(t_min), m.t) & less_equal_bits(m.t, load(t_limit));
+}
+
 struct ClosestLanes {
     using Alone = ClosestSink;
+    alignas(64) float t_min[kPacketRays];
+    float t_limit[kPacketRays];
     double weight1[kPacketRays], weight2[kPacketRays], weight_sum[kPacketRays];
-    float u[kPacketRays], v[kPacketRays];
-    std::uint32_t primitive[kPacketRays];
+    std::uint32_t primitive[kPacketRays], instance[kPacketRays];
 
-    // A tie at `limits` is taken by the lower id alone: kNobody lets every tie win, 0 none.
-    void begin(int lane, std::uint32_t wins_below) { primitive[lane] = wins_below; }
-
-    std::uint32_t take(int at, const Meetings& m, std::uint32_t id, float* limits) {
-        const Words ids = splat(id);
-        const std::uint32_t farther = less_equal_bits(load(limits + at), m.t);
-        const std::uint32_t taken = m.met & (~farther | above_bits(load(primitive + at), ids));
-        store_where(limits + at, m.t, taken);
+    void begin(int at, Float from, Float to) {
+        store(t_min + at, from);
+        store(t_limit + at, to);
+        store(primitive + at, splat(kNobody));
+        store(instance + at, splat(kNobody));
+    }
+    // Of a group's meetings with a triangle; which rays' answers have changed.
+    std::uint32_t take(int at, const Meetings& m, std::uint32_t instance_id, std::uint32_t id) {
+        const Words instances = splat(instance_id), ids = splat(id);
+        const std::uint32_t farther = less_equal_bits(load(t_limit + at), m.t);
+        const std::uint32_t lower =
+            above_bits(load(instance + at), instances) |
+            (equal_bits(load(instance + at), instances) & above_bits(load(primitive + at), ids));
+        const std::uint32_t taken = m.met & (~farther | lower);
+        store_where(t_limit + at, m.t, taken);
         store_where(primitive + at, ids, taken);
+        store_where(instance + at, instances, taken);
         store_where(weight1 + at, m.weight1, taken);
         store_where(weight2 + at, m.weight2, taken);
         store_where(weight_sum + at, m.weight_sum, taken);
         return taken;
     }
-    // What give() needs of a group, eight divisions at a time.
-    void settle(int at) {
-        store(u + at, narrow(load(weight1 + at) / load(weight_sum + at)));
-        store(v + at, narrow(load(weight2 + at) / load(weight_sum + at)));
+    // A ray as it would stand if it had walked alone, and back.
+    ClosestSink alone(int i) const {
+        return {t_min[i],
+                t_limit[i],
+                {t_limit[i], instance[i], primitive[i], weight1[i], weight2[i], weight_sum[i]}};
     }
-    void give(int lane, float t, std::uint32_t instance, ClosestSink& sink) const {
-        sink.t_limit = t;
-        sink.best = {t, instance, primitive[lane], double(u[lane]), double(v[lane]), 0.0};
+    void put(int i, const ClosestSink& sink) {
+        t_limit[i] = sink.t_limit;
+        instance[i] = sink.best.instance;
+        primitive[i] = sink.best.primitive;
+        weight1[i] = sink.best.weight1;
+        weight2[i] = sink.best.weight2;
+        weight_sum[i] = sink.best.weight_sum;
+    }
+    // Eight divisions at a time.
+    template <class Answers>
+    void write(const Answers& answers, std::uint64_t first, int at, std::uint64_t which) const {
+        alignas(32) float u[kWidth], v[kWidth];
+        store(u, narrow(load(weight1 + at) / load(weight_sum + at)));
+        store(v, narrow(load(weight2 + at) / load(weight_sum + at)));
+        for (std::uint32_t left = std::uint32_t(which >> at) & 0xFFu; left != 0; left &= left - 1) {
+            const int lane = __builtin_ctz(left), i = at + lane;
+            const bool miss = primitive[i] == kNobody;
+            answers.hits[first + std::uint64_t(i)] =
+                miss ? HitOut{__builtin_inff(), 0.0f, 0.0f, kNobody, kNobody}
+                     : HitOut{t_limit[i], u[lane], v[lane], primitive[i], instance[i]};
+        }
     }
 };
 
 struct AnyLanes {
     using Alone = AnySink;
+    alignas(64) float t_min[kPacketRays];
+    float t_limit[kPacketRays];
+    std::uint64_t hit = 0;
 
-    void begin(int, std::uint32_t) {}
-    std::uint32_t take(int at, const Meetings& m, std::uint32_t, float* limits) {
-        store_where(limits + at, splat(-__builtin_inff()), m.met);  // has seen enough
+    void begin(int at, Float from, Float to) {
+        store(t_min + at, from);
+        store(t_limit + at, to);
+    }
+    std::uint32_t take(int at, const Meetings& m, std::uint32_t, std::uint32_t) {
+        hit |= std::uint64_t{m.met} << at;
         return m.met;
     }
-    void settle(int) {}
-    void give(int, float, std::uint32_t, AnySink& sink) const {
-        sink.is_hit = true;
-        sink.t_limit = -__builtin_inff();
+    AnySink alone(int i) const { return {t_min[i], t_limit[i], (hit >> i & 1) != 0}; }
+    void put(int i, const AnySink& sink) { hit |= std::uint64_t{sink.is_hit} << i; }
+    template <class Answers>
+    void write(const Answers& answers, std::uint64_t first, int at, std::uint64_t which) const {
+        for (std::uint32_t left = std::uint32_t(which >> at) & 0xFFu; left != 0; left &= left - 1) {
+            const int i = at + __builtin_ctz(left);
+            answers.is_hit[first + std::uint64_t(i)] = std::uint8_t(hit >> i & 1);
+        }
     }
 };
 

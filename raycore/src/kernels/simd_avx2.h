@@ -73,189 +73,41 @@ static inline float least(__m256 a) {
     return _mm_cvtss_f32(m);
 }
 
+static inline float least_of(Float a) {
+    return least(a.v);
+}
+
 static inline Words splat(std::uint32_t a) {
     return {_mm256_set1_epi32(static_cast<int>(a))};
 }
 
-#ifdef __AVX512VL__
-// Eight doubles.
-struct Double {
-    __m512d v;
-};
-static inline Double load(const double* p) {
-    return {_mm512_loadu_pd(p)};
-}
-static inline Double widen(Float a) {
-    return {_mm512_maskz_cvtps_pd(0xFF, a.v)};  // GCC 12 takes the plain one for uninitialised
-}
-static inline Float narrow(Double a) {
-    return {_mm512_maskz_cvtpd_ps(0xFF, a.v)};
-}
-static inline Double operator+(Double a, Double b) {
-    return {_mm512_add_pd(a.v, b.v)};
-}
-static inline Double operator-(Double a, Double b) {
-    return {_mm512_sub_pd(a.v, b.v)};
-}
-static inline Double operator*(Double a, Double b) {
-    return {_mm512_mul_pd(a.v, b.v)};
-}
-static inline Double operator/(Double a, Double b) {
-    return {_mm512_div_pd(a.v, b.v)};
-}
-static inline std::uint32_t not_negative_bits(Double a) {
-    return _mm512_cmp_pd_mask(a.v, _mm512_setzero_pd(), _CMP_GE_OQ);
-}
-static inline std::uint32_t not_positive_bits(Double a) {
-    return _mm512_cmp_pd_mask(a.v, _mm512_setzero_pd(), _CMP_LE_OQ);
-}
-// Leaves the lanes outside `bits` as they are.
-static inline void store_where(double* p, Double a, std::uint32_t bits) {
-    _mm512_mask_storeu_pd(p, static_cast<__mmask8>(bits), a.v);
-}
-static inline void store_where(float* p, Float a, std::uint32_t bits) {
-    _mm256_mask_storeu_ps(p, static_cast<__mmask8>(bits), a.v);
-}
-static inline void store_where(std::uint32_t* p, Words a, std::uint32_t bits) {
-    _mm256_mask_storeu_epi32(p, static_cast<__mmask8>(bits), a.v);
-}
-static inline std::uint32_t equal_bits(Words a, Words b) {
-    return _mm256_cmpeq_epi32_mask(a.v, b.v);
-}
-static inline std::uint32_t above_bits(Words a, Words b) {
-    return _mm256_cmpgt_epu32_mask(a.v, b.v);
-}
-// The lanes of `bits` side by side, in their order; what follows them means nothing.
-static inline Float compress(Float a, std::uint32_t bits) {
-    return {_mm256_maskz_compress_ps(static_cast<__mmask8>(bits), a.v)};
-}
-static inline Words compress(Words a, std::uint32_t bits) {
-    return {_mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), a.v)};
-}
-// The lane of `bits` that holds the least, the lowest of equals; 8 when `bits` is 0.
-static inline std::uint32_t lane_of_least(Float a, std::uint32_t bits) {
-    const __mmask8 mask = static_cast<__mmask8>(bits);
-    const __m256 masked = _mm256_mask_mov_ps(_mm256_set1_ps(__builtin_inff()), mask, a.v);
-    const std::uint32_t lanes =
-        _mm256_mask_cmp_ps_mask(mask, masked, _mm256_set1_ps(least(masked)), _CMP_EQ_OQ);
-    return static_cast<std::uint32_t>(__builtin_ctz(lanes | 0x100u));
-}
-// Lanes where a shares a bit with b.
-static inline std::uint32_t common_bits(Words a, std::uint32_t b) {
-    return _mm256_test_epi32_mask(a.v, _mm256_set1_epi32(static_cast<int>(b)));
-}
-static inline std::uint32_t less_equal_bits(Float a, Float b) {
-    return _mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ);
-}
-static inline std::uint32_t opposite_bits(Float a, Float b) {
-    const __m256 zero = _mm256_setzero_ps();
-    const __mmask8 below = _mm256_cmp_ps_mask(a.v, zero, _CMP_LT_OQ);
-    return _mm256_mask_cmp_ps_mask(below, b.v, zero, _CMP_GT_OQ);
-}
-#else
-struct Double {
-    __m256d low, high;
-};
-static inline Double load(const double* p) {
-    return {_mm256_loadu_pd(p), _mm256_loadu_pd(p + 4)};
-}
-static inline Double widen(Float a) {
-    return {_mm256_cvtps_pd(_mm256_castps256_ps128(a.v)), _mm256_cvtps_pd(_mm256_extractf128_ps(a.v, 1))};
-}
-static inline Float narrow(Double a) {
-    return {_mm256_set_m128(_mm256_cvtpd_ps(a.high), _mm256_cvtpd_ps(a.low))};
-}
-static inline Double operator+(Double a, Double b) {
-    return {_mm256_add_pd(a.low, b.low), _mm256_add_pd(a.high, b.high)};
-}
-static inline Double operator-(Double a, Double b) {
-    return {_mm256_sub_pd(a.low, b.low), _mm256_sub_pd(a.high, b.high)};
-}
-static inline Double operator*(Double a, Double b) {
-    return {_mm256_mul_pd(a.low, b.low), _mm256_mul_pd(a.high, b.high)};
-}
-static inline Double operator/(Double a, Double b) {
-    return {_mm256_div_pd(a.low, b.low), _mm256_div_pd(a.high, b.high)};
-}
-static inline std::uint32_t bits_of(__m256d low, __m256d high) {
-    return static_cast<std::uint32_t>(_mm256_movemask_pd(low) | _mm256_movemask_pd(high) << 4);
-}
-static inline std::uint32_t not_negative_bits(Double a) {
-    const __m256d zero = _mm256_setzero_pd();
-    return bits_of(_mm256_cmp_pd(a.low, zero, _CMP_GE_OQ), _mm256_cmp_pd(a.high, zero, _CMP_GE_OQ));
-}
-static inline std::uint32_t not_positive_bits(Double a) {
-    const __m256d zero = _mm256_setzero_pd();
-    return bits_of(_mm256_cmp_pd(a.low, zero, _CMP_LE_OQ), _mm256_cmp_pd(a.high, zero, _CMP_LE_OQ));
-}
-static inline __m256i lanes_of(std::uint32_t bits) {
-    const __m256i lane_bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
-    return _mm256_cmpeq_epi32(_mm256_and_si256(_mm256_set1_epi32(static_cast<int>(bits)), lane_bit),
-                              lane_bit);
-}
-static inline void store_where(double* p, Double a, std::uint32_t bits) {
-    const __m256i lanes = lanes_of(bits);
-    _mm256_maskstore_pd(p, _mm256_cvtepi32_epi64(_mm256_castsi256_si128(lanes)), a.low);
-    _mm256_maskstore_pd(p + 4, _mm256_cvtepi32_epi64(_mm256_extracti128_si256(lanes, 1)), a.high);
-}
-static inline void store_where(float* p, Float a, std::uint32_t bits) {
-    _mm256_maskstore_ps(p, lanes_of(bits), a.v);
-}
-static inline void store_where(std::uint32_t* p, Words a, std::uint32_t bits) {
-    _mm256_maskstore_epi32(reinterpret_cast<int*>(p), lanes_of(bits), a.v);
-}
-static inline std::uint32_t equal_bits(Words a, Words b) {
-    const __m256i equal = _mm256_cmpeq_epi32(a.v, b.v);
-    return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(equal)));
-}
-static inline std::uint32_t above_bits(Words a, Words b) {
-    const __m256i sign = _mm256_set1_epi32(INT32_MIN);
-    const __m256i above = _mm256_cmpgt_epi32(_mm256_xor_si256(a.v, sign), _mm256_xor_si256(b.v, sign));
-    return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(above)));
-}
-struct CompressLanes {
-    std::uint64_t of[256];
-    constexpr CompressLanes() : of{} {
-        for (std::uint32_t bits = 0; bits < 256; ++bits) {
-            int n = 0;
-            for (std::uint64_t lane = 0; lane < 8; ++lane)
-                if (bits >> lane & 1) of[bits] |= lane << (8 * n++);
-        }
+// Eight blocks of eight floats, `step` bytes apart, turned: out[i] holds the i-th of every block.
+static inline void load_turned(const void* first, std::uint64_t step, Float out[8]) {
+    const char* at = static_cast<const char*>(first);
+    __m256 row[8], pairs[8], fours[8];
+    for (std::uint64_t i = 0; i < 8; ++i)
+        row[i] = _mm256_loadu_ps(static_cast<const float*>(static_cast<const void*>(at + step * i)));
+    for (int i = 0; i < 8; i += 2) {
+        pairs[i] = _mm256_unpacklo_ps(row[i], row[i + 1]);
+        pairs[i + 1] = _mm256_unpackhi_ps(row[i], row[i + 1]);
     }
-};
-inline constexpr CompressLanes kCompressLanes;
-
-static inline Words compressed_lanes(std::uint32_t bits) {
-    return {_mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(kCompressLanes.of[bits])))};
+    for (int i = 0; i < 8; i += 4) {
+        fours[i] = _mm256_shuffle_ps(pairs[i], pairs[i + 2], 0x44);
+        fours[i + 1] = _mm256_shuffle_ps(pairs[i], pairs[i + 2], 0xEE);
+        fours[i + 2] = _mm256_shuffle_ps(pairs[i + 1], pairs[i + 3], 0x44);
+        fours[i + 3] = _mm256_shuffle_ps(pairs[i + 1], pairs[i + 3], 0xEE);
+    }
+    for (int i = 0; i < 4; ++i) {
+        out[i].v = _mm256_permute2f128_ps(fours[i], fours[i + 4], 0x20);
+        out[i + 4].v = _mm256_permute2f128_ps(fours[i], fours[i + 4], 0x31);
+    }
 }
-static inline Float compress(Float a, std::uint32_t bits) {
-    return {_mm256_permutevar8x32_ps(a.v, compressed_lanes(bits).v)};
-}
-static inline Words compress(Words a, std::uint32_t bits) {
-    return {_mm256_permutevar8x32_epi32(a.v, compressed_lanes(bits).v)};
-}
-static inline std::uint32_t lane_of_least(Float a, std::uint32_t bits) {
-    const __m256 mask = _mm256_castsi256_ps(lanes_of(bits));
-    const __m256 masked = _mm256_blendv_ps(_mm256_set1_ps(__builtin_inff()), a.v, mask);
-    const __m256 is_least = _mm256_cmp_ps(masked, _mm256_set1_ps(least(masked)), _CMP_EQ_OQ);
-    const std::uint32_t lanes = static_cast<std::uint32_t>(_mm256_movemask_ps(is_least)) & bits;
-    return static_cast<std::uint32_t>(__builtin_ctz(lanes | 0x100u));
-}
-static inline std::uint32_t common_bits(Words a, std::uint32_t b) {
-    const __m256i common = _mm256_and_si256(a.v, _mm256_set1_epi32(static_cast<int>(b)));
-    const __m256i none = _mm256_cmpeq_epi32(common, _mm256_setzero_si256());
-    return ~static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(none))) & 0xFFu;
-}
-static inline std::uint32_t less_equal_bits(Float a, Float b) {
-    return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
-}
-static inline std::uint32_t opposite_bits(Float a, Float b) {
-    const __m256 zero = _mm256_setzero_ps();
-    const __m256 both =
-        _mm256_and_ps(_mm256_cmp_ps(a.v, zero, _CMP_LT_OQ), _mm256_cmp_ps(b.v, zero, _CMP_GT_OQ));
-    return static_cast<std::uint32_t>(_mm256_movemask_ps(both));
-}
-#endif
 
 }  // namespace
 }  // namespace rc::kernel::RC_ISA
+
+#ifdef __AVX512VL__
+#include "kernels/simd_masks_avx512.h"
+#else
+#include "kernels/simd_masks_avx2.h"
+#endif

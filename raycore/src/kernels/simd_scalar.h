@@ -52,6 +52,11 @@ static inline Float min(Float a, Float b) {
 static inline Float max(Float a, Float b) {
     return each([&](int i) { return a.lane[i] > b.lane[i] ? a.lane[i] : b.lane[i]; });
 }
+static inline float least_of(Float a) {
+    float least = a.lane[0];
+    for (const float lane : a.lane) least = lane < least ? lane : least;
+    return least;
+}
 // Fused or not as the ISA likes: for box tests alone, whose padding covers either rounding.
 static inline Float about_fma(Float a, Float b, Float c) {
     return each([&](int i) { return a.lane[i] * b.lane[i] + c.lane[i]; });
@@ -89,6 +94,40 @@ static inline Words splat(std::uint32_t a) {
     return {{a, a, a, a, a, a, a, a}};
 }
 
+// Eight blocks of eight floats, `step` bytes apart, turned: out[i] holds the i-th of every block.
+static inline void load_turned(const void* first, std::uint64_t step, Float out[8]) {
+    for (std::uint64_t ray = 0; ray < 8; ++ray) {
+        Float block;
+        __builtin_memcpy(block.lane, static_cast<const char*>(first) + step * ray, sizeof(block.lane));
+        for (int i = 0; i < 8; ++i) out[i].lane[ray] = block.lane[i];
+    }
+}
+
+// Which lanes, for `where`.
+struct Lanes {
+    bool lane[8];
+};
+static inline Lanes lanes_of(std::uint32_t bits) {
+    Lanes r;
+    for (int i = 0; i < 8; ++i) r.lane[i] = (bits >> i & 1) != 0;
+    return r;
+}
+static inline Lanes is_above(Float a, Float b) {
+    Lanes r;
+    for (int i = 0; i < 8; ++i) r.lane[i] = a.lane[i] > b.lane[i];
+    return r;
+}
+static inline Lanes has_sign(Float a) {
+    Lanes r;
+    for (int i = 0; i < 8; ++i) r.lane[i] = __builtin_signbit(a.lane[i]) != 0;
+    return r;
+}
+template <class Vector>
+static inline Vector where(Lanes lanes, Vector yes, Vector no) {
+    for (int i = 0; i < 8; ++i) no.lane[i] = lanes.lane[i] ? yes.lane[i] : no.lane[i];
+    return no;
+}
+
 struct Double {
     double lane[8];
 };
@@ -100,6 +139,9 @@ static inline Double each_double(Op op) {
 }
 static inline Double load(const double* p) {
     return each_double([&](int i) { return p[i]; });
+}
+static inline Double splat(double a) {
+    return each_double([&](int) { return a; });
 }
 static inline Double widen(Float a) {
     return each_double([&](int i) { return double(a.lane[i]); });

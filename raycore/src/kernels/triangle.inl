@@ -62,7 +62,8 @@ static inline void decide(const Corners& c, Float dz, std::uint32_t asked, Meeti
 }
 
 // The same for one ray and one triangle of a leaf: shear and decision again, lane by lane the same operations.
-static inline bool decide_one(const float* rows, std::uint32_t count, std::uint32_t lane, const LocalRay& ray,
+template <class Ray>
+static inline bool decide_one(const float* rows, std::uint32_t count, std::uint32_t lane, const Ray& ray,
                               Candidate& c) {
     const auto to = [&](int axis) { return rows + std::uint32_t(axis) * count + lane; };
     const float *at_x = to(ray.kx), *at_y = to(ray.ky), *at_z = to(ray.kz);
@@ -86,7 +87,8 @@ static inline bool decide_one(const float* rows, std::uint32_t count, std::uint3
 }
 
 // A leaf's triangles for one ray; lanes beyond `count` mean nothing.
-static inline Corners corners_of(const float* rows, std::uint32_t count, const LocalRay& ray) {
+template <class Ray>
+static inline Corners corners_of(const float* rows, std::uint32_t count, const Ray& ray) {
     Corners c;
     const Float ox = splat(ray.at_kx), oy = splat(ray.at_ky), oz = splat(ray.at_kz);
     const Float sx = splat(ray.shear_x), sy = splat(ray.shear_y);
