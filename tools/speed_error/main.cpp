@@ -26,7 +26,7 @@ using speed_error::Report;
 using speed_error::Row;
 
 struct Options {
-    std::string scene = "foyer", out = "out/speed_error", picture;
+    std::string scene = "foyer", out = "out/speed_error", picture, only;
     std::vector<std::string> cameras;
     int width = 320, height = 180, reference_samples = 2048, runs = 3, threads = 0, cycles_samples = 16;
     bool is_quick = false, asks_cycles = false;
@@ -70,7 +70,11 @@ Result<speed_error::Reference> truth_of(const View& view, const std::string& tru
 
 Result<void> judge_pictures(const View& view, const Options& options, const Jobs& jobs, Report& report) {
     const std::filesystem::path folder = options.out;
-    const auto all = speed_error::contestants(options.is_quick);
+    auto all = speed_error::contestants(options.is_quick);
+    const auto is_left_out = [&](const speed_error::Contestant& contestant) {
+        return contestant.name.find(options.only) == std::string::npos;
+    };
+    all.erase(std::remove_if(all.begin(), all.end(), is_left_out), all.end());
     Progress progress(view.name, all.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
         const auto truth = truth_of(view, all[i].truth, options, jobs);
@@ -141,11 +145,13 @@ Result<void> ask_others(const View& view, const Options& options, const Jobs& jo
 
 Result<void> judge_view(const View& view, const Options& options, const Jobs& jobs, Report& report) {
     if (auto judged = judge_pictures(view, options, jobs, report); !judged) return judged.error();
-    const auto real_time = truth_of(view, "real time", options, jobs),
-               all_light = truth_of(view, "path", options, jobs);
-    if (!real_time || !all_light) return (real_time ? all_light : real_time).error();
-    keep(report.findings, speed_error::left_out_in_real_time(*real_time, *all_light, view.name, jobs));
-    judge_motion(view, options, jobs, report);
+    if (options.only.empty()) {
+        const auto real_time = truth_of(view, "real time", options, jobs),
+                   all_light = truth_of(view, "path", options, jobs);
+        if (!real_time || !all_light) return (real_time ? all_light : real_time).error();
+        keep(report.findings, speed_error::left_out_in_real_time(*real_time, *all_light, view.name, jobs));
+        judge_motion(view, options, jobs, report);
+    }
     for (Finding& gain : speed_error::filter_gains(report.rows)) keep(report.findings, std::move(gain));
     for (Finding& slope : speed_error::slopes(report.rows)) keep(report.findings, std::move(slope));
     auto asked = ask_others(view, options, jobs, report);
@@ -173,6 +179,8 @@ void add_options(CLI::App& app, Options& options) {
     app.add_option("SCENE", options.scene, "a level's name, or any .gltf or .glb")->capture_default_str();
     app.add_option("--camera", options.cameras,
                    "cameras of the scene, or x,y,z,yaw,pitch,fov; three of its own otherwise");
+    app.add_option("--only", options.only,
+                   "judge no more than the ways whose name holds this text: \"real time\", \"Sobol\"");
     app.add_option("--out", options.out, "folder of report.html, report.json and the pictures")
         ->capture_default_str();
     app.add_option("--width", options.width, "pixels")->check(CLI::Range(16, 4096))->capture_default_str();
