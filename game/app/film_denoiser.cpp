@@ -40,6 +40,7 @@ void gbuffer_from(const render::FilmPlanes& planes, filter::GBuffer& out) {
     copy(planes.normal, width, height, out.normal);
     copy(planes.geometric, width, height, out.geometric);
     copy(planes.albedo, width, height, out.albedo);
+    copy(planes.gloss, width, height, out.gloss);
     copy(planes.roughness, width, height, out.roughness);
     copy(planes.reflected, width, height, out.reflected);
 }

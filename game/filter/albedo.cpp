@@ -53,9 +53,12 @@ static void remodulate_row(const RemodulateRow& row) {
     for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) {
         const Colour direct = part_at(row.parts[0], x), indirect = part_at(row.parts[1], x);
         const Colour specular = part_at(row.parts[2], x);
-        const Floats r = hn::Add(on_albedo(row.albedo[0], x, hn::Add(direct.r, indirect.r)), specular.r);
-        const Floats g = hn::Add(on_albedo(row.albedo[1], x, hn::Add(direct.g, indirect.g)), specular.g);
-        const Floats b = hn::Add(on_albedo(row.albedo[2], x, hn::Add(direct.b, indirect.b)), specular.b);
+        const Floats r = hn::Add(on_albedo(row.albedo[0], x, hn::Add(direct.r, indirect.r)),
+                                 on_albedo(row.gloss[0], x, specular.r));
+        const Floats g = hn::Add(on_albedo(row.albedo[1], x, hn::Add(direct.g, indirect.g)),
+                                 on_albedo(row.gloss[1], x, specular.g));
+        const Floats b = hn::Add(on_albedo(row.albedo[2], x, hn::Add(direct.b, indirect.b)),
+                                 on_albedo(row.gloss[2], x, specular.b));
         store(hn::Add(r, light_or_black(row.parts[3][0], x)), row.out[0] + x);
         store(hn::Add(g, light_or_black(row.parts[3][1], x)), row.out[1] + x);
         store(hn::Add(b, light_or_black(row.parts[3][2], x)), row.out[2] + x);
@@ -140,6 +143,7 @@ void remodulate(const Parts& parts, const Plane3& albedo, const Jobs& jobs, Plan
             if (lights[i] != nullptr) point_to(row.parts[i], *lights[i], y);
         }
         if (!albedo.empty()) point_to(row.albedo, albedo, y);
+        if (parts.gloss != nullptr && !parts.gloss->empty()) point_to(row.gloss, *parts.gloss, y);
         row.width = width;
         point_to(row.out, out, y);
         HWY_DYNAMIC_DISPATCH(remodulate_row)(row);

@@ -21,13 +21,14 @@ void colour_from(const Luma3& luma, const Jobs& jobs, Plane3& out);
 // light / albedo. `out` is made to fit and may be `light` itself. An empty albedo is 1.
 void demodulate(const Plane3& light, const Plane3& albedo, const Jobs& jobs, Plane3& out);
 
-// What is put together again: (direct + indirect) * albedo + specular + clean. Any of the lights may be null or empty:
-// black. An empty albedo is 1.
+// What is put together again: (direct + indirect) * albedo + specular * gloss + clean. Any of the lights may be null or
+// empty: black. An empty albedo or gloss is 1.
 struct Parts {
     const Luma3* direct = nullptr;    // demodulated
     const Luma3* indirect = nullptr;  // demodulated
-    const Luma3* specular = nullptr;
-    const Plane3* clean = nullptr;  // in red, green and blue
+    const Luma3* specular = nullptr;  // demodulated
+    const Plane3* clean = nullptr;    // in red, green and blue
+    const Plane3* gloss = nullptr;    // the specular light's albedo
 };
 // `out` has the albedo's size, or that of the first light there is.
 void remodulate(const Parts& parts, const Plane3& albedo, const Jobs& jobs, Plane3& out);

@@ -20,6 +20,7 @@ struct GreenRow {
 struct RemodulateRow {
     const float* parts[4][3];  // direct, indirect, specular: red, luminance, blue; clean: colour; null: black
     const float* albedo[3];    // null: 1
+    const float* gloss[3];     // null: 1
     int width;
     float* out[3];
 };

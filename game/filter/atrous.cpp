@@ -25,11 +25,16 @@ constexpr float kSpline[2][5] = {{0.5f, 1.0f, 0.5f, 0.0f, 0.0f},
 // A pixel on its way: what a neighbour is measured by, and what has come together.
 struct Gathering {
     Floats middle, scale;  // luminance; quarter of the reciprocal of what it may differ by
+    Ints part;             // if it matters
     Floats at_most;        // weight's fourth root of a neighbour like itself: less than 1 for stiff signals
     Floats variance;       // about here
     Lanes sure;            // whose noise is less than rounding
     Floats r, y, b, weight, squares;
 };
+
+static HWY_INLINE Ints load_part(const std::uint32_t* from) {
+    return hn::LoadU(I(), reinterpret_cast<const std::int32_t*>(from));
+}
 
 // Variance averaged over 3x3 pixels with (1 2 1)/4 either way (Schied et al., section 4.4): a lone pixel's own estimate
 // is too uncertain, and a dark pixel among bright ones would let nobody in.
@@ -69,6 +74,7 @@ static HWY_INLINE Gathering begin(const AtrousRow& row, std::size_t x) {
         const Floats stiff = hn::Mul(load(row.stiffness + x), splat(static_cast<float>(row.step)));
         to.at_most = hn::Sub(to.at_most, stiff);
     }
+    to.part = row.part != nullptr ? load_part(row.part + x) : hn::Zero(I());
     to.r = load(row.light[0] + x);
     to.y = to.middle;
     to.b = load(row.light[2] + x);
@@ -81,6 +87,8 @@ static HWY_INLINE void add_neighbour(const AtrousRow& row, std::ptrdiff_t at, Fl
     const Floats y = load(row.light[1] + at);
     const Floats off = hn::Mul(hn::Abs(hn::Sub(y, to.middle)), to.scale);
     const Floats root = hn::Max(hn::Sub(to.at_most, hn::Add(geometry, off)), hn::Zero(F()));
+    if (row.part != nullptr)
+        spline = zero_unless(hn::RebindMask(F(), hn::Eq(load_part(row.part + at), to.part)), spline);
     const Floats root2 = hn::Mul(root, root);
     const Floats weight = hn::Mul(hn::Mul(root2, root2), spline);  // falloff() of all together
     to.r = hn::Add(to.r, hn::Mul(weight, load(row.light[0] + at)));
@@ -186,6 +194,7 @@ void atrous_level(const Guides& guides, const SignalView& in, const AtrousSettin
         point_to(row.light, *in.light, y);
         row.variance = in.variance->row(y);
         row.stiffness = in.stiffness == nullptr || in.stiffness->empty() ? nullptr : in.stiffness->row(y);
+        row.part = in.part == nullptr ? nullptr : in.part->row(y);
         point_to(row.out_light, out.light, y);
         row.out_variance = out.variance.row(y);
         row.radius = settings.radius;
@@ -221,6 +230,7 @@ const Signal& atrous(const Guides& guides, const SignalView& in, const AtrousSet
         atrous_level(guides, from, settings, level, jobs, out);
         from = view_of(out);
         from.stiffness = in.stiffness;
+        from.part = in.part;
     }
     return scratch[(settings.levels - 1) % 2];
 }

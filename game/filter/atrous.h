@@ -35,6 +35,8 @@ struct SignalView {
     const Plane* variance;
     // How much sooner this signal stops: 1 / (4 * pixels at which it falls to 1/e). Null or empty: 0.
     const Plane* stiffness = nullptr;
+    // Which thing gives the light back: others keep theirs to themselves. Null: it does not matter.
+    const PlaneU32* part = nullptr;
 };
 [[nodiscard]] inline SignalView view_of(const Signal& signal) {
     return {&signal.light, &signal.variance};

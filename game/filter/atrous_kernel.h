@@ -4,6 +4,7 @@
 #include "filter/guides.h"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace gh::filter {
 
@@ -11,7 +12,8 @@ struct AtrousRow {
     GuideRows guides;
     const float* light[3];  // red, luminance, blue
     const float* variance;
-    const float* stiffness;  // may be null
+    const float* stiffness;     // may be null
+    const std::uint32_t* part;  // may be null
     float* out_light[3];
     float* out_variance;
     int radius, step;

@@ -37,11 +37,11 @@ void Denoiser::forget() {
     *this = Denoiser();
 }
 
-void Denoiser::accumulate_track(const Plane3& light, const Plane& change, const Plane3* albedo,
+void Denoiser::accumulate_track(const Plane3& light, const Plane& change, const Plane3& albedo,
                                 const Step& step, Track& track) {
     Plane3& samples = track.scratch[0].light;
     mend(light, step.settings.mend, step.jobs, samples);
-    if (albedo != nullptr) demodulate(samples, *albedo, step.jobs, samples);
+    demodulate(samples, albedo, step.jobs, samples);
     std::swap(track.before, track.mean);
     accumulate(samples, change, {taps_, track.before}, step.settings.temporal, step.jobs, track.mean);
     if (step.settings.settles) {
@@ -55,7 +55,8 @@ void Denoiser::accumulate_track(const Plane3& light, const Plane& change, const 
 void Denoiser::smooth_track(const AtrousSettings& settings, const Plane* stiffness, const Step& step,
                             Track& track) {
     if (settings.levels == 0) return;
-    const SignalView view{&track.mean.light, &track.variance, stiffness};
+    const SignalView view{&track.mean.light, &track.variance, stiffness,
+                          stiffness != nullptr ? &step.surfaces.part : nullptr};
     track.smooth = &atrous(guides_, view, settings, step.jobs, track.scratch).light;
 }
 
@@ -78,12 +79,12 @@ void Denoiser::denoise(const GBuffer& surfaces, const Light& light, const Denois
         return is_asked ? change_ : told;
     };
     if (has_direct)
-        accumulate_track(light.direct, change(light.direct_change), &surfaces.albedo, step, direct_);
+        accumulate_track(light.direct, change(light.direct_change), surfaces.albedo, step, direct_);
     if (has_indirect)
-        accumulate_track(light.indirect, change(light.indirect_change), &surfaces.albedo, step, indirect_);
+        accumulate_track(light.indirect, change(light.indirect_change), surfaces.albedo, step, indirect_);
     if (has_specular) {
         reproject(surfaces, guides_, seen_, Motion::OfReflection, jobs, taps_);
-        accumulate_track(light.specular, change(light.direct_change), nullptr, step, specular_);
+        accumulate_track(light.specular, change(light.direct_change), surfaces.gloss, step, specular_);
     }
     if (has_direct) smooth_track(settings.direct, nullptr, step, direct_);
     if (has_indirect) smooth_track(settings.indirect, nullptr, step, indirect_);
@@ -95,7 +96,8 @@ void Denoiser::denoise(const GBuffer& surfaces, const Light& light, const Denois
     remodulate({.direct = direct_.smooth,
                 .indirect = indirect_.smooth,
                 .specular = specular_.smooth,
-                .clean = &light.clean},
+                .clean = &light.clean,
+                .gloss = &surfaces.gloss},
                surfaces.albedo, jobs, out);
 
     seen_.lens = surfaces.lens;

@@ -29,9 +29,9 @@ struct DenoiseSettings {
     MendSettings mend{};
     TemporalSettings temporal{};
     // Levels of 0: not smoothed over the picture.
-    AtrousSettings direct{.levels = 3};
-    AtrousSettings indirect{.levels = 4};
-    AtrousSettings specular{.levels = 3};
+    AtrousSettings direct{.levels = 2};
+    AtrousSettings indirect{.levels = 3, .luminance_sigmas = 8.0f};  // no edges of its own to keep
+    AtrousSettings specular{.levels = 2, .luminance_sigmas = 5.0f};
     bool settles = true;  // whether unknown changes are looked for
     float settle_sigmas = 2.0f;
     // Light::change_then counts so many times: a little noise for a moment is less to be seen than light that lingers.
@@ -62,7 +62,7 @@ class Denoiser {
     };
     struct Step;
 
-    void accumulate_track(const Plane3& light, const Plane& change, const Plane3* albedo, const Step& step,
+    void accumulate_track(const Plane3& light, const Plane& change, const Plane3& albedo, const Step& step,
                           Track& track);
     void smooth_track(const AtrousSettings& atrous, const Plane* stiffness, const Step& step, Track& track);
 

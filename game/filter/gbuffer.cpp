@@ -21,6 +21,7 @@ void GBuffer::fit(int width, int height) {
     fit_if_used(previous, width, height);
     fit_if_used(geometric, width, height);
     fit_if_used(albedo, width, height);
+    fit_if_used(gloss, width, height);
     fit_if_used(roughness, width, height);
     fit_if_used(reflected, width, height);
 }

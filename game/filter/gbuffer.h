@@ -44,6 +44,7 @@ struct GBuffer {
     Plane3 normal;     // unit, smooth (interpolated), towards the eye; without the normal map
     Plane3 geometric;  // unit, of the triangle itself, towards the eye. Empty: `normal` does
     Plane3 albedo;     // what direct and indirect light were multiplied by. Empty: 1, light comes demodulated
+    Plane3 gloss;      // what specular light was multiplied by, about. Empty: 1
     Plane roughness;   // glTF's, 0 ... 1. Empty: 1
     Plane
         reflected;  // metres from `position` to what `specular` shows; 0: not known. Empty: reflections stick to

@@ -19,7 +19,7 @@ namespace gh::filter {
 inline constexpr float kInfiniteLight = 1e30f;
 
 struct MendSettings {
-    float floor = 8.0f;   // luminance; say four times what shows as white
+    float floor = 3.0f;   // luminance; say four times what shows as white, or more
     float factor = 8.0f;  // times the neighbours' mean
 };
 

@@ -88,6 +88,8 @@ class Bsdf {
     [[nodiscard]] float alpha() const { return alpha_; }
     // Of the diffuse base, before the coat takes its share.
     [[nodiscard]] const glm::vec3& diffuse_albedo() const { return base_; }
+    // What all other lobes together give back, towards the eye, of light that is the same from everywhere.
+    [[nodiscard]] glm::vec3 gloss_albedo() const;
 
   private:
     void draw_out();

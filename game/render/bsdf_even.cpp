@@ -38,4 +38,18 @@ glm::vec3 Bsdf::even_share() const {
     return share;
 }
 
+glm::vec3 Bsdf::gloss_albedo() const {
+    glm::vec3 share = (seen_.of(f0_, f90_) * (f90_ > 0.0f ? 1.0f : 0.0f) + multi_ * (1.0f - seen_.white)) *
+                          (1.0f - clear_) +
+                      glm::vec3(clear_);
+    if (!has_layers_) return share;
+    // Light comes in through the layers about as steeply as it goes out.
+    share = share * (eye_below_ * eye_below_) + glm::vec3(1.0f - eye_below_coat_);
+    if (sheen_most_ > 0.0f) {
+        const float back = energy_.sheen().albedo(eye_.z, sane(at_.sheen_roughness, 0.0f, 1.0f));
+        share += sheen_color_ * (back * eye_below_coat_ * eye_below_coat_);
+    }
+    return share;
+}
+
 }  // namespace gh::render

@@ -23,7 +23,7 @@ void FilmPlanes::resize(int width, int height) {
     direct = indirect = specular = clean = Image(width, height);
     const std::size_t count = direct.pixels.size();
     resize_surfaces(count);
-    for (std::vector<glm::vec3>* plane : {&normal, &albedo}) plane->assign(count, glm::vec3(0.0f));
+    for (std::vector<glm::vec3>* plane : {&normal, &albedo, &gloss}) plane->assign(count, glm::vec3(0.0f));
     roughness.assign(count, 1.0f);
     reflected.assign(count, 0.0f);
     rays.assign(count, 0.0f);

@@ -44,6 +44,7 @@ struct FilmPlanes {
 
     std::vector<glm::vec3> normal;  // towards the eye
     std::vector<glm::vec3> albedo;
+    std::vector<glm::vec3> gloss;
     std::vector<float> roughness;
     std::vector<float> reflected;
     std::vector<float> rays;                  // traced for the pixel, shadow rays among them

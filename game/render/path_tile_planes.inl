@@ -6,7 +6,19 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include <bit>
+
 namespace gh::render {
+
+namespace {
+
+// What stands still may be one part, and yet brass beside plaster: filters have to keep them apart.
+std::uint32_t thing_at(const world::Level& level, const ShadingPoint& at) {
+    const auto material = static_cast<std::uint32_t>(at.material - level.materials.data());
+    return std::rotl(material, 20) ^ at.part;
+}
+
+}  // namespace
 
 template <unsigned kFeatures>
 void PathTile<kFeatures>::begin_planes() {
@@ -54,12 +66,13 @@ void PathTile<kFeatures>::note_surface(const Path& path, const ShadingPoint& at,
         const float length = unfolding.length + glm::distance(path.ray.origin, at.surface.position);
         position = frame_.lens.position() + way * length;
     }
-    planes.part[i] = at.part;
+    planes.part[i] = thing_at(frame_.view.level, at);
     planes.position[i] = position;
     planes.previous[i] = position + unfolding.turned * (position_before(at, hit) - at.surface.position);
     planes.normal[i] = unfolding.turned * at.smooth;
     planes.geometric[i] = unfolding.turned * at.geometric;
     planes.albedo[i] = bsdf.diffuse_albedo();
+    planes.gloss[i] = bsdf.gloss_albedo();
     planes.roughness[i] = sane(at.roughness, 0.0f, 1.0f);
 }
 

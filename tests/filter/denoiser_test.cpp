@@ -1,6 +1,7 @@
 // The whole chain on a room whose light is known: what a player would see of it.
 #include "filter/denoiser.h"
 
+#include "base/random.h"
 #include "filter/anti_lag.h"
 #include "filter/isa.h"
 #include "filter/synthetic.h"
@@ -107,6 +108,46 @@ TEST(Denoiser, ConstantLightOnATextureComesOutAsItWentIn) {
             }
         }
     }
+}
+
+// A matt hob let into a varnished worktop: one plane, one nearness, one normal. What the varnish mirrors, noisily, must
+// not shine on the hob, neither by way of its neighbours nor by way of the past of a jittered edge.
+TEST(Denoiser, WhatVarnishMirrorsDoesNotShineOnTheMattPlateLetIntoIt) {
+    Denoiser denoiser;
+    const Jobs jobs(1);
+    const test::Room room;
+    Random random(5);
+    Plane3 out;
+    const auto is_plate = [](int x, int y, std::uint32_t frame) {
+        const int left =
+            40 + static_cast<int>(frame % 2);  // jitter shows now one side of its edge, now the other
+        return x >= left && x < left + 8 && y >= 36 && y < 44;
+    };
+    for (std::uint32_t i = 0; i < 8; ++i) {
+        test::Frame frame = test::render(room, kWidth, kHeight, i);
+        frame.surfaces.gloss = Plane3(kWidth, kHeight);
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                const bool plate = is_plate(x, y, i);
+                if (plate) frame.surfaces.part.at(x, y) += 1000;
+                frame.surfaces.gloss.set(x, y, glm::vec3(plate ? 0.04f : 0.8f));
+                const float mirrored = random.unit() < 0.25f ? 4.0f : 0.0f;
+                frame.noisy.specular.set(x, y, glm::vec3(plate ? 0.01f : mirrored));
+                frame.noisy.direct.set(x, y, glm::vec3(0.0f));
+                frame.noisy.indirect.set(x, y, glm::vec3(0.0f));
+                frame.noisy.clean.set(x, y, glm::vec3(0.0f));
+            }
+        }
+        denoiser.denoise(frame.surfaces, frame.noisy, {}, jobs, out);
+        for (int y = 36; y < 44; ++y) {
+            for (int x = 40; x < 48; ++x) {
+                if (is_plate(x, y, i)) {
+                    EXPECT_NEAR(out.get(x, y).y, 0.01f, 1e-3f) << x << ' ' << y << " frame " << i;
+                }
+            }
+        }
+    }
+    EXPECT_NEAR(out.get(30, 40).y, 1.0f, 0.7f) << "the varnish itself is smoothed";
 }
 
 TEST(Denoiser, KeepsTheEnergyOfASkewedNoise) {

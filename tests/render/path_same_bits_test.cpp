@@ -93,20 +93,50 @@ TEST(PathSameBits, PlanesSumToThePictureAndChangeNothing) {
 TEST(PathSameBits, PlanesUnfoldMirrors) {
     Studio studio;
     studio.add_sheet({0, 0, -2}, {3, 0, 0}, {0, 3, 0}, test::mirror(0.9f));
-    const std::uint32_t wall =
-        studio.add_sheet({0, 0, 3}, {0, 3, 0}, {3, 0, 0}, test::matte(glm::vec3(0.5f)));
+    studio.add_sheet({0, 0, 3}, {0, 3, 0}, {3, 0, 0}, test::matte(glm::vec3(0.5f)));
     studio.open();
     render::PathSettings settings = test::reference(1);
     settings.fills_planes = true;
     settings.jitters = false;
     render::Film film(9, 9);
-    const render::Camera camera{.position = {0, 0, 0}, .fov_y = 0.8f};
+    render::Camera camera{.position = {0, 0, 0}, .yaw = test::kPiF, .fov_y = 0.8f};
+    render::render_path({studio.level, studio.snapshot, studio.prepared}, camera, settings, 0, Jobs(1), film);
+    EXPECT_NEAR(film.planes.position[0].z, 3.0f, 1e-4f);
+    const std::uint32_t wall = film.planes.part[0];  // who looks straight at it
+    camera.yaw = 0.0f;
     render::render_path({studio.level, studio.snapshot, studio.prepared}, camera, settings, 0, Jobs(1), film);
     for (std::size_t i = 0; i < film.planes.part.size(); ++i) {
         EXPECT_EQ(film.planes.part[i], wall);
         EXPECT_NEAR(film.planes.position[i].z, -7.0f, 1e-4f);  // 2 to the mirror, 5 back to the wall
         EXPECT_NEAR(film.planes.normal[i].z, 1.0f, 1e-5f);
     }
+}
+
+// What stands still is one part to the renderer. Brass beside plaster must be two things to the filters, or plaster shines
+// with what brass mirrors.
+TEST(PathSameBits, PlanesTellMaterialsApartAndSayHowMuchTheyMirror) {
+    Studio studio;
+    world::Material brass = test::matte(glm::vec3(0.9f, 0.6f, 0.3f));
+    brass.metallic = 1.0f;
+    world::Material plaster = test::matte(glm::vec3(0.5f));
+    plaster.ior = 1.5f;
+    brass.roughness = 0.3f;
+    studio.add_sheet({-1.5f, 0, -2}, {1.5f, 0, 0}, {0, 3, 0}, brass);
+    studio.add_sheet({1.5f, 0, -2}, {1.5f, 0, 0}, {0, 3, 0}, plaster);
+    studio.open();
+    render::PathSettings settings = test::reference(1);
+    settings.fills_planes = true;
+    render::Film film(8, 1);
+    const render::Camera camera{.position = {0, 0, 0}, .fov_y = 0.1f};
+    render::render_path({studio.level, studio.snapshot, studio.prepared}, camera, settings, 0, Jobs(1), film);
+    const render::FilmPlanes& planes = film.planes;
+    for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(planes.part[i], planes.part[i < 4 ? 0 : 7]) << i;
+    EXPECT_NE(planes.part[0], planes.part[7]);
+    EXPECT_NEAR(planes.gloss[0].x, 0.9f, 0.02f);
+    EXPECT_NEAR(planes.gloss[0].z, 0.3f, 0.05f);
+    EXPECT_GT(planes.gloss[7].x, 0.01f);
+    EXPECT_LT(planes.gloss[7].x, 0.06f);
+    EXPECT_EQ(planes.albedo[0], glm::vec3(0.0f));
 }
 
 TEST(PathSameBits, NoMaterialHoweverBrokenMakesAPixelThatIsNotANumber) {
