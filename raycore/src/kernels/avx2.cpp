@@ -11,6 +11,8 @@
 #include "kernels/packet_rays.inl"
 #include "kernels/packet_boxes.inl"
 #include "kernels/packet_lanes.inl"
+#include "kernels/packet_leaves.inl"
+#include "kernels/packet_tail.inl"
 #include "kernels/packet.inl"
 #include "kernels/packet_ask.inl"
 #include "kernels/sinks.inl"

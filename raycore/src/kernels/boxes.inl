@@ -75,9 +75,9 @@ static inline std::uint32_t pop(const Stack& stack, int& top, float s_max) {
 // is the likeliest to end a walk), or what lies on the stack when there is none. The other children are packed onto the
 // stack, however many they are: all without a branch. The nearest alone is worth finding: with the others in no order a
 // ray opens 2 % more nodes.
-template <bool kNearestFirst>
+template <bool kNearestFirst, class AnyStack>
 static inline std::uint32_t next_below(const WideNode& node, const Entrances& e, std::uint32_t met,
-                                       Stack& stack, int& top) {
+                                       AnyStack& stack, int& top) {
     const std::uint32_t first = kNearestFirst ? lane_of_least(e.enter, met)
                                               : 31u - static_cast<std::uint32_t>(__builtin_clz(met | 1));
     const std::uint32_t others = met & ~(1u << first);
@@ -92,10 +92,11 @@ static inline std::uint32_t next_below(const WideNode& node, const Entrances& e,
     return below ^ ((below ^ waiting) & is_none);
 }
 
-// Takes everything beyond s_max off the stack.
-static inline int trim(Stack& stack, int top, float s_max) {
-    int kept = 1;
-    for (int i = 1; i < top; i += kWidth) {
+// Takes everything beyond s_max off the stack, above `bottom`.
+template <class AnyStack>
+static inline int trim(AnyStack& stack, int bottom, int top, float s_max) {
+    int kept = bottom;
+    for (int i = bottom; i < top; i += kWidth) {
         const Float near = load(stack.near + i);
         const Words item = load(stack.item + i);
         const std::uint32_t valid = top - i >= kWidth ? 0xFFu : (1u << (top - i)) - 1;

@@ -3,27 +3,11 @@
 namespace rc::kernel::RC_ISA {
 namespace {
 
-// A bundle is narrow, and its beam worth a look at nodes, while it opens by less than this a unit of distance, from a
-// foot of less than this share of the tree.
-inline constexpr float kNarrowSlope = 0.3f;
-inline constexpr float kNarrowFoot = 0.05f;
 // Rays that start farther from each other, in shares of the tree, have little in common.
 inline constexpr float kWidestFoot = 0.25f;
-inline constexpr int kLeastPacket = 16;     // rays of a batch
+inline constexpr int kFewAny = 12, kFewClosest = 24;  // rays that are left to a node
+inline constexpr int kLeastPacket = 16;               // rays of a batch
 inline constexpr int kLeastInInstance = 8;  // of those, rays that meet the box of an instance that moved
-
-static inline float size_of(const TreeBounds& tree) {
-    float size = 0.0f;
-    for (int a = 0; a < 3; ++a) size = larger(size, tree.max[a] - tree.min[a]);
-    return size;
-}
-static inline float width_of(const Hull& hull) {
-    return larger(hull.high[0] - hull.low[0], larger(hull.high[1] - hull.low[1], hull.high[2] - hull.low[2]));
-}
-static inline bool is_narrow(const PacketRays& rays, const TreeBounds& tree) {
-    return rays.is_bundle && width_of(rays.slopes) <= kNarrowSlope &&
-           width_of(rays.origins) <= kNarrowFoot * size_of(tree);
-}
 
 // Up to 64 rays of a batch that start near each other.
 template <class Lanes, class Answers>
@@ -64,10 +48,15 @@ class Packet {
         return {{turned[0], turned[1], turned[2]}, {turned[3], turned[4], turned[5]}, turned[6], turned[7]};
     }
 
-    // Closest-hit rays that spread out soon have little in common but the topmost nodes, and wait less in a stream.
-    static bool is_worth_it(const PacketRays& rays, const TreeBounds& tree) {
-        if (__builtin_popcountll(rays.fit) < kLeastPacket) return false;
-        return Alone::kIsAny ? width_of(rays.origins) <= kWidestFoot * size_of(tree) : is_narrow(rays, tree);
+    static bool start_together(const PacketRays& rays, const TreeBounds& tree) {
+        return width_of(rays.origins) <= kWidestFoot * size_of(tree);
+    }
+    // How many rays a node must be left to for them to go on by themselves; a narrow bundle stays together. Rays that only
+    // ask for any have no order to lose.
+    static int few(const PacketRays& rays, const TreeBounds& tree) {
+        if (rays.is_narrow) return 0;
+        if (Alone::kIsAny) return kFewAny;
+        return start_together(rays, tree) ? kFewClosest : kPacketRays;
     }
 
     void begin_lanes() {
@@ -86,7 +75,7 @@ class Packet {
         begin_lanes();
         enter(instance, ~std::uint64_t{0} >> (kPacketRays - n_), {instance.blas.min, instance.blas.max},
               outer_);
-        if (!is_worth_it(outer_, {instance.blas.min, instance.blas.max})) return false;
+        if (__builtin_popcountll(outer_.fit) < kLeastPacket) return false;
         alive_ = outer_.fit;
         walk_inside(id, outer_, alive_);
         return true;
@@ -106,12 +95,14 @@ class Packet {
             rays.t_max = load(lanes_.t_limit + at);
             aim_eight(outer_, at, rays, fit, bounds, {false, farthest * scene_.condition * 0x1p-20f}, hulls);
         }
-        finish_aim(outer_, groups_, hulls);
-        if (!is_worth_it(outer_, bounds)) return false;
+        finish_aim(outer_, groups_, bounds, hulls);
+        if (__builtin_popcountll(outer_.fit) < kLeastPacket || !start_together(outer_, bounds)) return false;
+        outer_.few = 0;
         alive_ = outer_.fit;
         walk_packet<true, Alone::kIsAny>(
-            places_of_scene(scene_), scene_.root, outer_, is_narrow(outer_, bounds), alive_, layers_, counts_,
-            [&](std::uint32_t item, std::uint64_t rays) { meet_instance(item & ~kLeafBit, rays); });
+            places_of_scene(scene_), scene_.root, outer_, alive_, layers_, counts_,
+            [&](std::uint32_t item, std::uint64_t rays) { meet_instance(item & ~kLeafBit, rays); },
+            [](std::uint32_t, float, std::uint64_t) { return false; });
         return true;
     }
 
@@ -130,7 +121,8 @@ class Packet {
             local.t_max = load(lanes_.t_limit + at);
             aim_eight(rays, at, local, fit, tree, {true, 0.0f}, hulls);
         }
-        finish_aim(rays, groups_, hulls);
+        finish_aim(rays, groups_, tree, hulls);
+        rays.few = few(rays, tree);
     }
 
     void meet_instance(std::uint32_t id, std::uint64_t met) {
@@ -163,12 +155,15 @@ class Packet {
         for (int i = 0; i < n_ && skips_any_; ++i)
             instance_.skip[i] = in_[i].skip_instance == id ? in_[i].skip_primitive : kEmptyTree;
         PacketLeaves<Lanes> leaves(rays, groups_, instance_, lanes_, alive_);
-        walk_packet<false, Alone::kIsAny>(places_of_blas(blas.nodes, blas.leaves), blas.root, rays,
-                                          is_narrow(rays, {blas.min, blas.max}), alive_, 0, counts_,
-                                          [&](std::uint32_t item, std::uint64_t met) {
-                                              counts_.leaves += std::uint64_t(__builtin_popcountll(met));
-                                              leaves.test(leaf_at(blas.leaves, item), met);
-                                          });
+        PacketTail<Lanes> tail(blas, rays, leaves, alive_, counts_);
+        walk_packet<false, Alone::kIsAny>(
+            places_of_blas(blas.nodes, blas.leaves), blas.root, rays, alive_, 0, counts_,
+            [&](std::uint32_t item, std::uint64_t met) {
+                counts_.leaves += std::uint64_t(__builtin_popcountll(met));
+                leaves.test(leaf_at(blas.leaves, item), met);
+            },
+            [&](std::uint32_t item, float near, std::uint64_t met) { return tail.keep(item, near, met); });
+        tail.walk();
     }
 
     const SceneView& scene_;
@@ -184,22 +179,6 @@ class Packet {
     InstanceOfPacket instance_;
 };
 
-// The axis a ray runs along most, and which way.
-static inline int heading(const RayIn& ray) {
-    const float x = absolute(ray.direction[0]), y = absolute(ray.direction[1]),
-                z = absolute(ray.direction[2]);
-    const int of_two = x > y ? 0 : 1;
-    const int axis = larger(x, y) > z ? of_two : 2;
-    return 2 * axis + (ray.direction[axis] < 0.0f ? 1 : 0);
-}
-
-// A glance at four rays tells most crowds from bundles before all are laid side by side.
-static inline bool may_run_together(const RayIn* rays, std::uint64_t n) {
-    const int first = heading(rays[0]);
-    return heading(rays[n / 3]) == first && heading(rays[2 * n / 3]) == first &&
-           heading(rays[n - 1]) == first;
-}
-
 // A batch in packets where its rays start near each other, and in streams where they do not.
 template <class Lanes, class Answers>
 static void ask_packets(const SceneView& scene, const RayIn* rays, std::uint64_t n, std::uint32_t layers,
@@ -208,7 +187,6 @@ static void ask_packets(const SceneView& scene, const RayIn* rays, std::uint64_t
     for (std::uint64_t first = 0; first < n; first += kPacketRays) {
         const std::uint64_t left = n - first, size = left < kPacketRays ? left : kPacketRays;
         if (size < kLeastPacket) break;
-        if (!Lanes::Alone::kIsAny && !may_run_together(rays + first, size)) continue;
         Packet<Lanes, Answers> packet(scene, rays + first, int(size), layers, counts);
         if (!packet.ask(first, answers)) continue;
         add(counts, ask_stream<typename Lanes::Alone>(scene, rays, waiting, first, layers, answers));

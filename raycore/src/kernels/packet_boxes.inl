@@ -5,6 +5,9 @@
 namespace rc::kernel::RC_ISA {
 namespace {
 
+inline constexpr int kMany = 24;     // rays that are found in nearly all groups
+inline constexpr int kOneByOne = 6;  // rays that are too few for groups
+
 // Which rays of the packet meet each child.
 struct ChildRays {
     std::uint64_t of[kWidth];
@@ -71,6 +74,11 @@ static inline std::uint32_t meet_box(const WideNode& node, int lane, const Packe
 static inline std::uint64_t meet_box(const WideNode& node, int lane, const PacketRays& rays,
                                      std::uint64_t asked) {
     std::uint64_t met = 0;
+    if (__builtin_popcountll(asked) > kMany) {  // nearly all groups: no branch that could be guessed wrongly
+        for (int at = 0; at < kPacketRays; at += kWidth)
+            met |= std::uint64_t{meet_box(node, lane, rays, at)} << at;
+        return met & asked;
+    }
     for (std::uint64_t left = asked; left != 0;) {
         const int at = __builtin_ctzll(left) & -kWidth;
         met |= std::uint64_t{meet_box(node, lane, rays, at)} << at;

@@ -37,6 +37,19 @@ struct ClosestLanes {
         store_where(weight_sum + at, m.weight_sum, taken);
         return taken;
     }
+    // Of one ray's; whether its answer has changed.
+    bool take(int i, const Candidate& c) {
+        const bool lower =
+            c.instance < instance[i] || (c.instance == instance[i] && c.primitive < primitive[i]);
+        if (!(t_min[i] <= c.t && (c.t < t_limit[i] || (c.t == t_limit[i] && lower)))) return false;
+        t_limit[i] = c.t;
+        instance[i] = c.instance;
+        primitive[i] = c.primitive;
+        weight1[i] = c.weight1;
+        weight2[i] = c.weight2;
+        weight_sum[i] = c.weight_sum;
+        return true;
+    }
     // A ray as it would stand if it had walked alone, and back.
     ClosestSink alone(int i) const {
         return {t_min[i],

@@ -9,6 +9,11 @@ namespace {
 inline constexpr int kPacketRays = 64;  // a bit of a mask each
 inline constexpr int kPacketGroups = kPacketRays / kWidth;
 
+// A bundle is narrow, and its beam worth a look at nodes, while it opens by less than this a unit of distance, from a
+// foot of less than this share of the tree.
+inline constexpr float kNarrowSlope = 0.3f;
+inline constexpr float kNarrowFoot = 0.05f;
+
 struct Hull {
     float low[3], high[3];
 };
@@ -27,8 +32,9 @@ struct alignas(64) PacketRays {
     std::uint64_t along[3], up;   // which run along an axis most, and which of them up it
     Hull origins, slopes, reach;  // reach: of all points where they may meet something
     float s_least, s_most;        // of s_min and s_max
-    bool is_bundle;               // all run along axis kz, the same way
+    bool is_bundle, is_narrow;    // all run along axis kz, the same way
     int kx, ky, kz;
+    int few;  // rays that are better off by themselves
 };
 
 // Eight rays as they are asked.
@@ -185,8 +191,17 @@ static inline void begin_aim(PacketRays& rays, int groups) {
     }
 }
 
+static inline float width_of(const Hull& hull) {
+    return larger(hull.high[0] - hull.low[0], larger(hull.high[1] - hull.low[1], hull.high[2] - hull.low[2]));
+}
+static inline float size_of(const TreeBounds& tree) {
+    float size = 0.0f;
+    for (int a = 0; a < 3; ++a) size = larger(size, tree.max[a] - tree.min[a]);
+    return size;
+}
+
 // When all groups are aimed: what holds them all.
-static inline void finish_aim(PacketRays& rays, int groups, const LaneHulls& hulls) {
+static inline void finish_aim(PacketRays& rays, int groups, const TreeBounds& tree, const LaneHulls& hulls) {
     rays.origins = hulls.hull(0);
     rays.slopes = hulls.hull(1);
     rays.reach = hulls.hull(2);
@@ -195,6 +210,8 @@ static inline void finish_aim(PacketRays& rays, int groups, const LaneHulls& hul
     rays.kx = kNextAxis[rays.kz];
     rays.ky = kNextAxis[rays.kx];
     rays.is_bundle = rays.along[rays.kz] == rays.fit && (rays.up == 0 || rays.up == rays.fit);
+    rays.is_narrow = rays.is_bundle && width_of(rays.slopes) <= kNarrowSlope &&
+                     width_of(rays.origins) <= kNarrowFoot * size_of(tree);
     rays.s_least = 0.0f - most_of(rays.s_pad, groups);
 }
 

@@ -112,7 +112,7 @@ class Stream {
             const float limit = walker.sink.t_limit;
             test_lanes_in_turn(leaf, walker.maybe, walker.local, walker.sink);
             if (walker.sink.t_limit != limit)
-                walker.top = trim(walker.stack, walker.top, walker.local.box.s_max);
+                walker.top = trim(walker.stack, 1, walker.top, walker.local.box.s_max);
         }
     }
 
