@@ -5,6 +5,7 @@ import doors
 import furniture as f
 import instruments
 import lamps
+import light
 import meshkit
 import mirrors
 import mouldings
@@ -92,9 +93,9 @@ def _foyer_walls():
     size = f.hang_picture("optician", "optician", (5.25, 3.0, 2.75), 0, 1.25)
     lamps.picture_light("optician", (5.25, 3.0, 2.75), 0, *size, "foyer", 1.5)
     f.hang_picture("alps", "alps", (-8.0, -4.65, 2.6), 90, 1.9)
-    f.hang_picture("dusk", "dusk", (8.0, -5.1, 2.7), -90, 2.0)
+    f.hang_picture("aurora", "aurora", (8.0, -5.1, 2.7), -90, 2.0)
     f.hang_picture("harbour", "harbour", (-4.4, -11.0, 2.6), 180, 2.4)
-    f.hang_picture("moonrise", "moonrise", (4.4, -11.0, 2.6), 180, 2.4)
+    f.hang_picture("lighthouse", "lighthouse", (4.4, -11.0, 2.6), 180, 2.4)
 
 
 def vestibule():
@@ -105,7 +106,7 @@ def vestibule():
     for i, (x, y, turn) in enumerate(((-2.45, -11.4, 0), (2.45, -11.4, 0), (-3.0, -14.35, 90), (3.0, -14.35, -90))):
         scene.mesh(f"vestibule_pilaster_{i}", strip, (x, y, 0), turn)
     f.hang_picture("vestibule_w", "glen", (-3.0, -12.9, 1.95), 90, 1.3)
-    f.hang_picture("vestibule_e", "alps", (3.0, -12.9, 1.95), -90, 1.3)
+    f.hang_picture("vestibule_e", "rainbow", (3.0, -12.9, 1.95), -90, 1.3)
     scene.mesh("vestibule_mat", meshkit.block(-1.2, -14.9, 0.001, 1.2, -12.0, 0.012, "carpet", 0.004))
     bench = f.bench(1.5)
     scene.mesh("vestibule_bench", bench, (-2.55, -12.6, 0), 90)
@@ -122,7 +123,7 @@ def stair():
             rail.append(meshkit.tube([(x, y, z), (x, y, z + 0.95)], 0.016, "brass", 8))
     scene.mesh("stair_rails", joined(rail))
     f.hang_picture("stair", "prism", (2.6, 4.2, 2.6), -90, 1.1)
-    f.hang_picture("stair_west", "glen", (-2.6, 4.9, 2.75), 90, 1.5)
+    f.hang_picture("stair_west", "eclipse", (-2.6, 4.9, 2.75), 90, 1.5)
     f.hang_picture("stair_north", "forest", (2.6, 6.6, 3.1), -90, 0.95)
     drape = instruments.curtain(0.75, 3.5)
     scene.mesh("curtain_stair_w", drape, (-1.55, 3.55, 0), 0, layers="light,sight,sound")
@@ -145,8 +146,8 @@ def cloakroom():
     for i, (y, z, width, turn) in enumerate(((-8.1, 0, 0.95, 90), (-8.15, 0.448, 0.62, 82), (-9.35, 0, 0.75, 93))):
         scene.mesh(f"trunk_{i}", things.trunk(width), (-13.62, y, z), turn)
     scene.mesh("cloak_rug", meshkit.slab(2.6, 1.7, 0.012, "carpet", 0.0, 0.001), (-11.9, -8.75, 0))
-    f.hang_picture("cloak", "alps", (-9.5, -6.9, 1.95), 0, 0.9)
-    f.hang_picture("cloak_east", "harbour", (-8.4, -10.25, 1.95), -90, 0.95)
+    f.hang_picture("cloak", "glen", (-9.5, -6.9, 1.95), 0, 0.9)
+    f.hang_picture("cloak_east", "lighthouse", (-8.4, -10.25, 1.95), -90, 0.95)
     scene.mesh("cloak_clock", f.longcase_clock(), (-13.55, -6.95, 0), 0)
     lamps.pendant("cloak", (-9.4, -7.9, 2.3), 3.2, "cloak", 2.4, 2.3)
     lamps.table_lamp("cloak_desk", (-10.3, -10.25, 1.06), 90, "cloak", 2.4, 1.0)
@@ -163,13 +164,18 @@ def lodge():
     scene.mesh("lodge_rug", meshkit.slab(2.4, 1.7, 0.012, "carpet", 0.0, 0.001), (11.2, -9.3, 0))
     f.hang_picture("lodge", "dusk", (14.0, -9.9, 1.95), -90, 0.9)
     scene.mesh("lodge_trunk", things.trunk(0.8), (13.55, -7.2, 0), 0)
+    stove, fire = things.stove(3.2)
+    scene.mesh("lodge_stove", stove, (9.05, -7.35, 0), -25)
+    scene.mesh("lodge_stove_fire", fire, (9.05, -7.35, 0), -25, kind="glow")
+    light.bulb("lodge_stove", (9.05 - 0.34 * math.sin(math.radians(-25)) * -1.0, -7.35 - 0.34 * math.cos(math.radians(25)), 0.46), 0.5, 1.5, "", 0.03, (1.0, 0.34, 0.08))
+    lamps.sconce("lodge_wall", (10.1, -11.0, 2.1), 180, "lodge", 1.1, 2.0)
     doors.switch("lodge", (8.4, -7.9, 1.25), 90, "lodge", "Lodge lamp")
 
 
 def store():
     scene.mesh("store_crates", f.crates(3), (4.4, 7.1, 0), 0)
     scene.mesh("store_crates_south", f.crates(4), (6.4, 4.6, 0), 90)
-    scene.mesh("store_shelves", f.bookcase(1.8, 2.2, 9), (6.2, 8.0, 0), 0)
+    scene.mesh("store_shelves", things.lamp_shelves(1.9, 2.1, 9), (6.2, 8.0, 0), 0, smooth_deg=50.0)
     lamps.sconce("store", (8.0, 6.6, 1.9), -90, "store", 1.8, 2.0)
     doors.switch("store", (8.0, 6.1, 1.25), -90, "store", "Store lamp")
 

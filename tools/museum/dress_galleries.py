@@ -21,7 +21,7 @@ def west():
         size = f.hang_picture(f"west_{i}", art, (x, y, 2.15), 90, width)
         if i in (1, 4):
             lamps.picture_light(f"west_{i}", (x, y, 2.15), 90, *size, "west", 2.8)
-    for i, (y, art, width) in enumerate([(12.9, "moonrise", 1.9), (15.4, "lady", 1.15)]):
+    for i, (y, art, width) in enumerate([(12.9, "moonrise", 1.9), (15.4, "rainbow", 1.6)]):
         size = f.hang_picture(f"west_n{i}", art, (x, y, 2.7), 90, width)
         if i == 0:
             lamps.picture_light("west_n0", (x, y, 2.7), 90, *size, "west_north", 2.8)
@@ -65,7 +65,7 @@ def east():
     scene.mesh("east_bench_0", bench, (10.7, -3.0, 0), 90)
     scene.mesh("east_bench_1", bench, (10.7, 13.8, 0.8), 90)
     mouldings.ribs("east_gallery", [r for r in SOUTH_RIBS if r[0] < 6.0] + [(9.0, 0.0)] + NORTH_RIBS, 3.75, 4.38)
-    f.hang_picture("east_0", "harbour", (13.0, 7.6, 2.5), -90, 1.9)
+    f.hang_picture("east_0", "lighthouse", (13.0, 7.6, 2.5), -90, 1.9)
     lamps.sconce("east_south", (13.0, -2.3, 2.3), -90, "east", 2.2, 2.3)
     lamps.sconce("east_ramp", (8.4, 7.9, 2.6), 90, "east", 2.2, 2.3)
     # a statue is its shadows: one beam from high on one side for each landmark

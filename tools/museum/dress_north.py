@@ -93,6 +93,10 @@ def library():
     scene.mesh("library_table", f.desk(2.2), (-8.4, 21.9, Z), 0)
     for i, (x, y, turn) in enumerate(((-8.9, 22.6, 180), (-7.8, 21.0, 0))):
         scene.mesh(f"library_chair_{i}", f.chair(), (x, y, Z), turn)
+    for i, (x, y, turn) in enumerate(((-11.35, 23.75, -118), (-11.35, 21.45, -62))):
+        scene.mesh(f"library_armchair_{i}", f.armchair(), (x, y, Z), turn)
+    scene.mesh("library_ladder", f.ladder(), (-7.75, 24.62, Z))
+    scene.mesh("library_papers", f.papers(5), (-8.0, 21.95, Z + 0.789), 8)
     lamps.table_lamp("library_desk", (-8.9, 21.9, Z + 0.785), 90, "library", 4.5, 1.1)
     lamps.pendant("library", (-10.3, 20.4, 3.25), 4.6, "library", 3.0, 2.5)
     scene.mesh("globe", instruments.globe(), (-5.3, 23.4, Z))
@@ -108,6 +112,7 @@ def workshop():
     scene.mesh("workshop_shelf_high", things.shelf(2.2, 9, 8), (9.6, 25.0, Z + 1.92))
     for i, (x, y, turn, art) in enumerate(((8.0, 25.0, 0, "spheres"), (4.0, 23.7, 90, "prism"), (4.0, 20.3, 90, "spheres"))):
         scene.mesh(f"drawing_{i}", things.pinned_drawing(0.62, art), (x, y, Z + 1.75), turn)
+    scene.mesh("workshop_papers", f.papers(8), (8.9, 21.35, Z + 0.9), 175)
     stool = meshkit.to_mesh(things.stool(), "stool")
     for i, (x, y) in enumerate(((7.3, 23.6), (9.4, 23.7), (8.0, 20.5))):
         scene.mesh(f"stool_{i}", stool, (x, y, Z), 50 * i)

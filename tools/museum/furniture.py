@@ -37,7 +37,7 @@ def rope_posts(path, closed=False):
         for i in range(10):
             t = i / 9
             sag.append((ax + (bx - ax) * t, ay + (by - ay) * t, 0.86 - 0.22 * (1 - (2 * t - 1) ** 2)))
-        shape.add(tube(sag, 0.036, "velvet_red", 8))
+        shape.add(tube(sag, 0.036, "velvet_red", 6))
     return shape
 
 
@@ -80,28 +80,89 @@ def bookcase(width, height, seed):
     z = 0.12
     while z + 0.3 < height - 0.1:
         parts.append(block(-width / 2, -0.35, z, width / 2, 0, z + 0.03, "oak_dark", 0.005))
-        x, before = -width / 2 + 0.06, None
+        x, row = -width / 2 + 0.06, []
         while x < width / 2 - 0.12:
             thick, tall = pick.uniform(0.034, 0.085), pick.uniform(0.20, 0.29)
             if pick.random() < 0.07:
-                x, before = x + pick.uniform(0.05, 0.18), None
+                x += pick.uniform(0.05, 0.18)
+                row.append(None)
                 continue
             colour = pick.choice(["book_red", "book_green", "book_blue", "book_tan", "leather", "book_tan"])
             depth = pick.uniform(0.18, 0.23)
-            parts.append(_book(x, x + thick - 0.003, -0.30, -0.30 + depth, z + 0.03, z + 0.03 + tall, colour, before or 0.0))
-            x, before = x + thick, tall
+            row.append((x, x + thick - 0.003, -0.30, -0.30 + depth, z + 0.03, z + 0.03 + tall, colour))
+            x += thick
+        for before, book, after in zip([None] + row, row, row[1:] + [None]):
+            if book:
+                parts.append(_book(book, before[5] if before else 0.0, after[5] if after else 0.0))
         z += 0.36
     return joined(parts)
 
 
-def _book(x0, x1, y0, y1, z0, z1, colour, before):
-    """Spine, boards and top edge: on a shelf nobody sees the rest, nor the board that a book as tall `before` it hides."""
+_TALLEST_EYES = 1.9  # metres
+
+
+def _book(book, left, right):
+    """Spine, boards and top edge: on a shelf nobody sees the rest, nor the board that a neighbour as tall hides (whose
+    tops are at `left` and `right`), nor the top of a book above everybody's eyes."""
+    x0, x1, y0, y1, z0, z1, colour = book
     shape = Shape()
     shape.points = [(x0, y0, z0), (x1, y0, z0), (x1, y0, z1), (x0, y0, z1), (x0, y1, z0), (x1, y1, z0), (x1, y1, z1), (x0, y1, z1)]
-    for c, m in (((0, 1, 2, 3), colour), ((4, 0, 3, 7), colour), ((1, 5, 6, 2), colour), ((3, 2, 6, 7), "paper")):
-        if c != (4, 0, 3, 7) or before < z1 - z0:
-            shape.face(c, m)
+    for corners, material, seen in (((0, 1, 2, 3), colour, True), ((4, 0, 3, 7), colour, left < z1), ((1, 5, 6, 2), colour, right < z1),
+                                    ((3, 2, 6, 7), "paper", z1 < _TALLEST_EYES)):
+        if seen:
+            shape.face(corners, material)
     return shape
+
+
+def armchair():
+    """A winged leather chair to read in by a fire, its front to -y."""
+    parts = [block(-0.34, -0.36, 0.16, 0.34, 0.34, 0.32, "leather", 0.02), block(-0.27, -0.38, 0.32, 0.27, 0.22, 0.45, "leather", 0.05)]
+    back = block(-0.30, 0.20, 0.30, 0.30, 0.36, 1.12, "leather", 0.06).mapped(lambda p: (p[0] * (1.0 - 0.12 * max(0.0, p[2] - 0.95)), p[1] + 0.16 * (p[2] - 0.3), p[2]))
+    parts.append(back)
+    for side in (-1, 1):
+        x = side * 0.32
+        parts += [block(x - 0.06, -0.34, 0.30, x + 0.06, 0.26, 0.62, "leather", 0.05), block(x - 0.045, 0.06, 0.60, x + 0.045, 0.36, 1.02, "leather", 0.04)]
+        parts += [block(side * 0.28 - 0.025, y - 0.025, 0.0, side * 0.28 + 0.025, y + 0.025, 0.17, "oak_dark", 0.0) for y in (-0.29, 0.29)]
+    return joined(parts)
+
+
+def ladder(height=2.75, lean=0.62):
+    """Leans on shelves behind it (at y = 0 on top) for those who read what stands high."""
+    parts = [tube([(x, -lean, 0.0), (x, 0.0, height)], 0.026, "oak_dark", 6) for x in (-0.21, 0.21)]
+    for i in range(8):
+        t = 0.1 + 0.11 * i
+        parts.append(block(-0.21, -lean * (1 - t) - 0.05, t * height, 0.21, -lean * (1 - t) + 0.03, t * height + 0.024, "oak_dark", 0.0))
+    return joined(parts)
+
+
+def papers(seed):
+    """What somebody was working on until the museum closed: sheets, an open book, an inkwell with its pen."""
+    import random
+    pick = random.Random(seed)
+    parts = [slab(0.21, 0.297, 0.002, "paper", 0.0, 0.0015 * i).turned(pick.uniform(-40, 40)).moved(pick.uniform(-0.32, 0.05), pick.uniform(-0.10, 0.12), 0) for i in range(4)]
+    leaves = Shape()
+    leaves.points = [(x, y, z) for y in (-0.13, 0.13) for x, z in ((-0.19, 0.012), (-0.10, 0.030), (0.0, 0.012), (0.10, 0.030), (0.19, 0.012))]
+    for i in range(4):
+        leaves.face([i, i + 1, i + 6, i + 5], "paper")
+    cover = block(-0.20, -0.138, 0.0, 0.20, 0.138, 0.011, "leather", 0.0)
+    parts.append(joined([cover, leaves]).turned(-14).moved(0.30, -0.04, 0.0))
+    parts.append(lathe([(0.0, 0.0), (0.035, 0.0), (0.036, 0.03), (0.018, 0.045), (0.02, 0.055), (0.0, 0.05)], "marble_black", 10).moved(-0.05, 0.20, 0))
+    parts.append(tube([(-0.05, 0.20, 0.04), (0.02, 0.26, 0.20)], [0.003, 0.007], "paper", 4))
+    return joined(parts)
+
+
+def hung_coat(cloth, hem=0.75):
+    """An overcoat on a hook at the origin's 1.74 m: sloping shoulders, falling sleeves, its front to -y and buttoned."""
+    body = lathe([(0.02, hem), (0.18, hem + 0.02), (0.14, 1.18), (0.165, 1.44), (0.185, 1.56), (0.12, 1.645), (0.045, 1.69), (0.0, 1.70)], cloth, 12,
+                 lambda a, k: 1.0 + 0.12 * math.sin(5 * a + 1.0) * (k < 3)).scaled(1, 0.5, 1)
+    parts = [body]
+    for side in (-1, 1):
+        parts.append(tube([(side * 0.155, 0.0, 1.585), (side * 0.205, -0.01, 1.34), (side * 0.185, -0.035, 1.02)], [0.055, 0.052, 0.046], cloth, 6))
+        lapel = Shape()
+        lapel.points = [(side * 0.035, -0.062, 1.685), (side * 0.105, -0.088, 1.50), (side * 0.012, -0.092, 1.34), (side * 0.010, -0.070, 1.60)]
+        lapel.face([0, 1, 2, 3] if side < 0 else [3, 2, 1, 0], "velvet_blue")
+        parts.append(lapel)
+    return joined(parts)
 
 
 def coat_rack(length):
@@ -110,9 +171,7 @@ def coat_rack(length):
         x = -length / 2 + 0.15 + 0.3 * i
         parts.append(tube([(x, -0.04, 1.74), (x, -0.12, 1.72), (x, -0.15, 1.78)], 0.009, "brass", 8))
         if i % 4 in (1, 2):
-            coat = lathe([(0.02, 0.75), (0.17, 0.78), (0.15, 1.2), (0.17, 1.5), (0.10, 1.66), (0.0, 1.70)], "coat" if i % 3 else "dark_cloth", 12,
-                         lambda a, k: 1.0 + 0.10 * math.sin(5 * a) * (k < 3))
-            parts.append(coat.scaled(1, 0.55, 1).moved(x, -0.14))
+            parts.append(hung_coat("coat" if i % 3 else "dark_cloth", 0.75 + 0.05 * (i % 3)).moved(x, -0.14))
     return joined(parts)
 
 

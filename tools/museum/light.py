@@ -28,7 +28,8 @@ def spot_intensity(irradiance, distance):
 def bulb(name, at, irradiance, distance, group, radius=0.04, colour=palette.WARM, on=True):
     """A glowing ball whose light at `distance` is `irradiance`; without a `group` no switch turns it off."""
     material = palette.lamp_material("bulb_" + name, colour, round(ball_radiance(irradiance, distance, radius), 3))
-    return scene.mesh("bulb_" + name, meshkit.ball(radius, material, 12, 8), at, kind="lamp", shape="sphere",
+    segments = (12, 8) if radius > 0.06 else (8, 6)  # even numbers: the lamp is the ball that fits its bounds
+    return scene.mesh("bulb_" + name, meshkit.ball(radius, material, *segments), at, kind="lamp", shape="sphere",
                       **({"group": group} if group else {}), **off_unless(on))
 
 

@@ -159,7 +159,12 @@ def joists(name, places, along_x, wood="oak_dark", depth=0.2):
     """Timber beams under a plain ceiling, across the room at each of `places`, which keep it from being a lid."""
     x0, y0, _, x1, y1, z = plan.ROOMS[name][:6]
     paths = [[(x0 + 0.01, p), (x1 - 0.01, p)] if along_x else [(p, y0 + 0.01), (p, y1 - 0.01)] for p in places]
-    scene.mesh("joists_" + name, joined([_beam(path, z, depth, wood) for path in paths]))
+    feet = []
+    for (ax, ay), (bx, by) in paths:  # a corbel under either end: beams rest on something
+        for (px, py), way in (((ax, ay), 1), ((bx, by), -1)):
+            corbel = block(0.0, -0.09, 0.0, 0.24, 0.09, 0.20, wood, 0.0).mapped(lambda p: (p[0] * (0.55 if p[2] < 0.1 else 1.0), p[1], p[2]))
+            feet.append(corbel.turned((0 if way > 0 else 180) if along_x else 90 * way).moved(px, py, z - depth - 0.19))
+    scene.mesh("joists_" + name, joined([_beam(path, z, depth, wood) for path in paths] + feet))
 
 
 def coffers(name, xs, ys, z, hole=None):

@@ -90,49 +90,105 @@ def _spectrum(seed):
     return _varnish(np.where(inside[..., None], 0.5 * picture + 0.6 * glassy, picture), seed)
 
 
-def _portrait(seed, coat, hair, ground, wears):
-    """A sitter lit from the left by one lamp: ellipsoids shaded as a painter of candlelight would."""
-    shape = TALL
+def _portrait(seed, ground, turn, coat, hair, skin, wears):
+    import portraits  # here, since the sculptor's stone is of the palette's materials, and pictures are materials, too
+    return _varnish(portraits.paint(portraits.Sitter(turn, coat, hair, skin, wears), ground, seed), seed)
+
+
+def _lighthouse(seed):
+    """A tower on its rock, and the beam that goes round over a black sea."""
+    shape = WIDE
     x, y = _field(shape)
-    x, y = (x - 0.5) * 1.0, (y - 0.5) * 1.25
-    random = np.random.RandomState(seed)
-    lamp = np.array((-0.62, 0.50, 0.60))
-    coat, hair, ground = np.asarray(coat) * 1.5 + 0.02, np.asarray(hair) * 1.2, np.asarray(ground)
-    halo = np.exp(-((x - 0.12) ** 2 * 5 + (y - 0.10) ** 2 * 3.5))  # the wall behind, lit past the far shoulder
-    picture = mix(ground * 0.45, ground * 2.0, halo * 0.8 + (_noise(shape, 5, seed) - 0.5) * 0.35)
-    w, lean = 0.140 + 0.022 * random.rand(), 0.03 * (random.rand() - 0.5)
-    skin, lip, dark = np.array((.84, .62, .48)) * (0.92 + 0.1 * random.rand()), (.62, .27, .23), (.07, .05, .04)
-    parts = [((0, -0.58, -0.1), (0.43, 0.42, 0.25), coat), ((0, -0.12, 0.0), (0.072, 0.17, 0.09), skin * 0.86),
-             ((lean, 0.17, -0.06), (w * 1.14, 0.235, 0.2), hair), ((lean, 0.12, 0.03), (w, 0.205, 0.17), skin),
-             ((lean - 0.014, 0.092, 0.165), (0.017, 0.058, 0.045), skin), ((lean - 0.014, 0.048, 0.175), (0.026, 0.018, 0.045), skin * 0.97),
-             ((lean, -0.065, 0.12), (0.045, 0.032, 0.05), skin)]
-    for side in (-1, 1):
-        x0 = lean - 0.008 + side * 0.056
-        parts += [((x0, 0.142, 0.150), (0.030, 0.0125, 0.03), (.88, .85, .80)), ((x0 - 0.004, 0.142, 0.170), (0.0115, 0.0120, 0.02), dark),
-                  ((x0, 0.153, 0.168), (0.032, 0.005, 0.02), dark), ((x0, 0.180, 0.150), (0.037, 0.007, 0.03), np.asarray(hair) * 0.7),
-                  ((side * 0.115, -0.40, 0.10), (0.075, 0.20, 0.07), coat * 1.35)]
-    parts += [((0.0, -0.265, 0.10), (0.062, 0.075, 0.05), (.80, .77, .70)), ((0.004, -0.345, 0.11), (0.040, 0.085, 0.04), (.74, .71, .64))]  # a cravat
-    parts += [((lean - 0.008, 0.010, 0.165), (0.042, 0.0075, 0.03), np.asarray(lip) * 0.7), ((lean - 0.008, -0.001, 0.163), (0.034, 0.012, 0.03), lip)]
-    if wears == "beard":
-        parts += [((lean, -0.075, 0.06), (0.115, 0.105, 0.13), hair), ((lean - 0.05, 0.030, 0.165), (0.055, 0.014, 0.03), hair), ((lean + 0.035, 0.030, 0.165), (0.055, 0.014, 0.03), hair),
-                  ((lean - 0.008, 0.006, 0.172), (0.035, 0.010, 0.03), lip)]
-    if wears == "long":
-        parts += [((lean - w, 0.02, 0.0), (0.07, 0.24, 0.1), hair), ((lean + w, 0.02, 0.0), (0.07, 0.24, 0.1), hair), ((lean - 0.06, 0.275, 0.06), (0.11, 0.055, 0.13), hair), ((lean + 0.06, 0.275, 0.06), (0.11, 0.055, 0.13), hair)]
-    if wears == "cap":
-        parts += [((lean, 0.315, 0.03), (w * 1.45, 0.075, 0.2), (.10, .03, .04)), ((lean, 0.265, 0.06), (w * 1.12, 0.045, 0.2), (.16, .05, .06))]
-    nearest = np.full(shape, -9.0)
-    for centre, radius, colour in parts:
-        u, v = (x - centre[0]) / radius[0], (y - centre[1]) / radius[1]
-        inside = 1 - u * u - v * v
-        depth = np.where(inside > 0, centre[2] + radius[2] * np.sqrt(np.maximum(inside, 0)), -9.0)
-        normal = np.stack([u / radius[0], v / radius[1], np.sqrt(np.maximum(inside, 0)) / radius[2]], -1)
-        normal /= np.linalg.norm(normal, axis=-1, keepdims=True) + 1e-9
-        light = 0.10 + 0.95 * np.clip((normal * lamp / np.linalg.norm(lamp)).sum(-1), 0, 1)
-        front = depth > nearest
-        picture = np.where(front[..., None], np.asarray(colour) * light[..., None], picture)
-        nearest = np.maximum(nearest, depth)
-    for _ in range(2):  # a brush has no edges
-        picture = sum(np.roll(picture, (i, j), (0, 1)) for i in (-1, 0, 1) for j in (-1, 0, 1)) / 9.0
+    picture = _sky(x, (y - 0.3) / 0.7, (.09, .13, .20), (.02, .03, .07), seed, shape, (.16, .20, .27), 0.8)
+    lamp = (0.735, 0.70)
+    away, up = lamp[0] - x, y - lamp[1]
+    beam = np.exp(-((up - 0.10 * away) / (0.010 + 0.16 * np.abs(away))) ** 2) * np.exp(-np.abs(away) * 1.5)
+    picture = picture + (beam * (0.65 + 0.5 * (_noise(shape, 9, seed + 7, 4) - 0.5)))[..., None] * np.array((.95, .88, .62))
+    depth = np.clip((0.30 - y) / 0.30, 0.001, 1)
+    swell = textures.noise(1024, 32, seed + 5, 4)
+    rows, columns = (150.0 / (depth + 0.03)).astype(int) % 1024, (x * 90.0 / (depth + 0.12)).astype(int) % 1024
+    waves = np.clip((swell[rows, columns] - 0.40) * 3.4, 0, 1)
+    sea = mix((.02, .04, .07), (.12, .17, .22), waves * 0.7) + (waves * np.exp(-((x - 0.45) * 3) ** 2) * 0.25)[..., None] * np.array((.9, .8, .5))
+    picture = np.where((y < 0.30)[..., None], sea, picture)
+    ridge = textures.noise(1024, 5, seed + 9, 6)[3, :512][None, :]
+    rock = y < -0.04 + 0.48 * np.clip((x - 0.36) * 2.6, 0, 1) ** 0.7 + (ridge - 0.5) * 0.14
+    picture = np.where(rock[..., None], mix((.05, .045, .05), (.17, .15, .14), _noise(shape, 18, seed + 11, 4)), picture)
+    tower = (np.abs(x - lamp[0]) < 0.034 - 0.035 * (y - 0.40)) & (y > 0.36) & (y < 0.665)
+    band = np.floor((y - 0.36) * 13).astype(int) % 2 == 0
+    stone = np.where(band[..., None], (.62, .58, .52), (.42, .10, .08)) * np.clip(1.1 - (x - 0.70)[..., None] * 9, 0.25, 1)
+    picture = np.where(tower[..., None], stone, picture)
+    head = (np.abs(x - lamp[0]) < 0.030) & (y >= 0.665) & (y < 0.735)
+    picture = np.where(head[..., None], (1.0, .93, .66), picture)
+    roof = (np.abs(x - lamp[0]) < 0.036 - (y - 0.735) * 0.6) & (y >= 0.735) & (y < 0.79)
+    rail = (np.abs(x - lamp[0]) < 0.044) & (np.abs(y - 0.664) < 0.007)
+    picture = np.where((roof | rail)[..., None], (.06, .05, .06), picture)
+    return _varnish(picture + np.exp(-np.hypot(x - lamp[0], (y - lamp[1]) * 0.75) * 16)[..., None] * np.array((.5, .42, .22)), seed)
+
+
+def _eclipse(seed):
+    """The black sun over a plain, its corona, the first stars, and evening all round the horizon."""
+    shape = WIDE
+    x, y = _field(shape)
+    u, v = (x - 0.5) * 1.333, y - 0.66
+    r, angle = np.hypot(u, v), np.arctan2(v, u)
+    picture = mix((.62, .36, .20), (.04, .06, .14), np.clip((y - 0.22) * 2.4, 0, 1) ** 0.6)
+    stars = (np.random.RandomState(seed).rand(*shape) > 0.9985) & (y > 0.45)
+    picture = np.where(stars[..., None], (.9, .9, 1.0), picture)
+    streamers = 0.060 + 0.028 * np.cos(2 * angle + 0.5) + 0.014 * np.cos(5 * angle + 1.0) + 0.006 * np.cos(17 * angle)
+    corona = np.where(r > 0.105, np.exp(-np.maximum(r - 0.105, 0.0) / streamers), 0.0)
+    picture = picture + corona[..., None] * np.array((.92, .94, 1.0))
+    picture = np.where((r < 0.105)[..., None], (.015, .015, .02), picture)
+    bead = np.exp(-np.hypot(u - 0.081, v - 0.068) * 60) * 1.6
+    picture = picture + bead[..., None] * np.array((1.0, .96, .85))
+    for layer in range(3):
+        ridge = textures.noise(1024, 4 + 3 * layer, seed + layer, 7)[layer, :512][None, :]
+        top = 0.26 - 0.08 * layer + (ridge - 0.5) * 0.10
+        picture = np.where((y < top)[..., None], np.array((.16, .10, .09)) * (1 - 0.32 * layer), picture)
+    return _varnish(picture, seed)
+
+
+def _aurora(seed):
+    """Curtains of green light over snow and firs."""
+    shape = WIDE
+    x, y = _field(shape)
+    picture = mix((.05, .10, .16), (.02, .03, .09), y)
+    stars = np.random.RandomState(seed).rand(*shape) > 0.9975
+    picture = np.where(stars[..., None], (.75, .8, .9), picture)
+    rays = textures.noise(1024, 48, seed + 1, 4)[5, :512][None, :]
+    for k, (low, sway, colour) in enumerate(((0.42, 0.10, (.20, .85, .45)), (0.55, 0.07, (.18, .70, .60)), (0.66, 0.05, (.45, .35, .75)))):
+        foot = low + sway * np.sin(x * 7 + 2.1 * k) + 0.03 * np.sin(x * 23 + k)
+        height = np.where(y > foot, np.exp(-(y - foot) * 6.5), np.exp((y - foot) * 60))
+        picture = picture + (height * (0.35 + 0.9 * rays) * (0.55 + 0.45 * np.sin(x * 5 + k * 1.7)))[..., None] * np.array(colour) * 0.75
+    ridge = textures.noise(1024, 4, seed + 3, 6)[7, :512][None, :]
+    snow = y < 0.26 + (ridge - 0.5) * 0.16
+    picture = np.where(snow[..., None], mix((.10, .17, .20), (.36, .52, .52), np.clip(y * 3.2 + (_noise(shape, 10, seed + 4, 4) - 0.5) * 0.5, 0, 1)), picture)
+    random = np.random.RandomState(seed + 6)
+    for _ in range(34):
+        cx, base, tall = random.rand(), 0.05 + 0.22 * random.rand(), 0.10 + 0.16 * random.rand()
+        up = (y - base) / tall
+        saw = 0.8 + 0.35 * np.abs(np.sin(up * 22))
+        fir = (up > 0) & (up < 1) & (np.abs(x - cx) < 0.16 * tall * (1 - up) * saw)
+        picture = np.where(fir[..., None], np.array((.015, .035, .035)) * (1.4 - 2 * base), picture)
+    return _varnish(picture, seed)
+
+
+def _rainbow(seed):
+    """After the rain: both bows over a wet hill, Alexander's dark band between them."""
+    shape = WIDE
+    x, y = _field(shape)
+    picture = _sky(x, y, (.55, .58, .60), (.24, .30, .38), seed, shape, (.70, .70, .70), 0.5)
+    u, v = (x - 0.40) * 1.333, y - 0.12
+    r = np.hypot(u, v)
+    picture = picture * (1.0 + 0.16 * (r < 0.50) - 0.10 * ((r > 0.56) & (r < 0.70)))[..., None]
+    for low, wide, strength, turn in ((0.50, 0.060, 0.42, 1), (0.70, 0.075, 0.16, -1)):
+        hue = (r - low) / wide if turn > 0 else 1.0 - (r - low) / wide
+        bow = np.stack([np.clip(1.0 - np.abs(hue - c) * 2.6, 0, 1) for c in (0.82, 0.48, 0.18)], -1)
+        picture = picture + bow * strength * (0.6 + 0.4 * _noise(shape, 7, seed + 2, 3))[..., None]
+    for layer, tone in enumerate(((.22, .30, .16), (.15, .23, .09), (.08, .13, .05))):
+        ridge = textures.noise(1024, 3 + 2 * layer, seed + 20 + layer, 6)[layer, :512][None, :]
+        top = 0.34 - 0.10 * layer + (ridge - 0.5) * 0.18
+        lit = 0.7 + 0.7 * _noise(shape, 24, seed + 30 + layer, 4) + 0.35 * np.exp(-((x - 0.28) * 4) ** 2)
+        picture = np.where((y < top)[..., None], np.asarray(tone) * lit[..., None], picture)
     return _varnish(picture, seed)
 
 
@@ -182,10 +238,11 @@ _RECIPES = {
     "dusk": lambda: _mountains(121, (.62, .28, .24), (.10, .12, .26), (.06, .04, .05)),
     "harbour": lambda: _seascape(131, False), "moonrise": lambda: _seascape(141, True),
     "prism": lambda: _spectrum(151), "spheres": lambda: _still_life(161), "forest": lambda: _forest(171),
-    "lady": lambda: _portrait(181, (.30, .05, .06), (.22, .11, .05), (.20, .14, .09), "long"),
-    "scholar": lambda: _portrait(182, (.08, .08, .10), (.55, .53, .50), (.16, .15, .11), "beard"),
-    "founder": lambda: _portrait(183, (.06, .12, .10), (.10, .06, .04), (.22, .12, .07), "cap"),
-    "optician": lambda: _portrait(184, (.14, .10, .22), (.34, .20, .08), (.12, .14, .15), "beard"),
+    "lighthouse": lambda: _lighthouse(191), "eclipse": lambda: _eclipse(192), "aurora": lambda: _aurora(193), "rainbow": lambda: _rainbow(194),
+    "lady": lambda: _portrait(181, (.34, .25, .16), 24, (.42, .07, .08), (.30, .15, .06), (.88, .67, .54), "long"),
+    "scholar": lambda: _portrait(182, (.27, .25, .20), -22, (.10, .10, .13), (.62, .60, .56), (.84, .64, .52), "beard"),
+    "founder": lambda: _portrait(183, (.36, .20, .12), 18, (.07, .17, .13), (.16, .09, .05), (.80, .58, .44), "cap"),
+    "optician": lambda: _portrait(184, (.20, .24, .26), -26, (.17, .12, .27), (.42, .23, .09), (.86, .66, .54), "beard"),
 }
 NAMES = sorted(_RECIPES)
 TALL_NAMES = ["forest", "founder", "lady", "optician", "scholar"]

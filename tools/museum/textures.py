@@ -213,7 +213,11 @@ def _boards(size):
     tone = np.random.RandomState(58).rand(rows, 2)[row, np.floor(u).astype(int) % 2]
     wood = grain(size, (.36, .22, .115), (.20, .115, .06), 59)
     picture = wood * (0.72 + 0.5 * tone)[..., None]
-    return _jointed(picture, u, y * rows, 0.02, (.07, .04, .02))
+    picture = _jointed(picture, y * rows, y * rows, 0.018, (.07, .04, .02))
+    end = np.abs(u - np.round(u))  # of a plank's length: two nails to either side of a joint as thin as the others
+    nails = (np.abs(end - 0.016) < 0.0035) & (np.minimum(np.abs(y * rows % 1 - 0.22), np.abs(y * rows % 1 - 0.78)) < 0.028)
+    picture = np.where((end < 0.0022)[..., None], np.asarray((.07, .04, .02)), picture)
+    return np.where(nails[..., None], np.asarray((.10, .07, .05)), picture)
 
 
 # how deep, in metres across one repeat of the picture, its darks lie below its lights

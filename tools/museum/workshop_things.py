@@ -4,6 +4,7 @@ import math
 import random
 
 import meshkit
+from furniture import hung_coat
 from meshkit import ball, block, joined, lathe, slab, tube
 
 
@@ -19,7 +20,9 @@ def workbench(length=2.4):
     x = -half + 0.25
     while x < half - 0.5:
         w, h = pick.uniform(0.22, 0.42), pick.uniform(0.16, 0.34)
-        parts.append(block(x, -0.2, 0.26, x + w, 0.18, 0.26 + h, pick.choice(("oak", "iron_green", "leather")), 0.0))
+        wood = pick.choice(("oak", "iron_green", "oak_dark"))
+        parts += [block(x, -0.2, 0.26, x + w, 0.18, 0.26 + h, wood, 0.0), block(x - 0.008, -0.208, 0.24 + h * 0.82, x + w + 0.008, 0.188, 0.27 + h, wood, 0.0),
+                  block(x + w * 0.32, -0.214, 0.26 + h * 0.30, x + w * 0.68, -0.19, 0.26 + h * 0.58, "brass" if wood == "oak_dark" else "paper", 0.0)]
         x += w + pick.uniform(0.04, 0.16)
     return joined(parts + [vice().moved(half - 0.34, -0.30, 0.90)])
 
@@ -94,6 +97,33 @@ def shelf(width, loads, seed):
     return joined(parts)
 
 
+def lamp_shelves(width, height, seed):
+    """An oak rack of the museum's spare lamps: opal globes, brass shades, lanterns, no two boards alike."""
+    pick = random.Random(seed)
+    parts = [block(x - 0.02, -0.36, 0.0, x + 0.02, 0.0, height, "oak_dark", 0.0) for x in (-width / 2, 0.0, width / 2)]
+    rows = int(height / 0.5)
+    for row in range(rows):
+        z = 0.10 + row * 0.5
+        parts.append(block(-width / 2, -0.36, z, width / 2, 0.0, z + 0.03, "oak_dark", 0.0))
+        x = -width / 2 + 0.18
+        while x < width / 2 - 0.12:
+            kind = pick.choice(("globe", "shade", "shade", "lantern"))
+            if abs(x) > 0.14:
+                parts.append(_spare(kind, pick.uniform(0.8, 1.15)).moved(x, -0.18 + pick.uniform(-0.03, 0.03), z + 0.03))
+            x += pick.uniform(0.30, 0.42)
+    return joined(parts)
+
+
+def _spare(kind, s):
+    if kind == "globe":
+        return ball(0.11 * s, "marble_white", 10, 6).moved(0, 0, 0.11 * s)
+    if kind == "shade":  # upside down in each other, as shades are stored
+        cone = lathe([(0.0, 0.0), (0.035, 0.004), (0.13, 0.11), (0.03, 0.014), (0.0, 0.014)], "brass" if s < 1.0 else "copper", 9)
+        return joined([cone, cone.moved(0, 0, 0.045)])
+    return joined([lathe([(0.0, 0.0), (0.08, 0.0), (0.08, 0.04), (0.05, 0.06), (0.055, 0.19), (0.085, 0.21), (0.03, 0.27), (0.0, 0.28)], "iron", 8),
+                   tube([(-0.06, 0, 0.22), (-0.04, 0, 0.33), (0.04, 0, 0.33), (0.06, 0, 0.22)], 0.006, "iron", 4)])
+
+
 def pinned_drawing(width, art):
     """A sheet pinned to a wall, without a frame."""
     height = width * 0.75
@@ -131,8 +161,21 @@ def hat_stand():
     """A bentwood stand with a coat and a hat on it."""
     hooks = [tube([(0, 0, 1.62), (0.14 * math.cos(a), 0.14 * math.sin(a), 1.66), (0.20 * math.cos(a), 0.20 * math.sin(a), 1.78)], 0.018, "oak_dark", 6) for a in (0.4, 1.97, 3.54, 5.11)]
     feet = [tube([(0, 0, 0.30), (0.16 * math.cos(a), 0.16 * math.sin(a), 0.16), (0.30 * math.cos(a), 0.30 * math.sin(a), 0.0)], 0.02, "oak_dark", 6) for a in (0.4, 1.97, 3.54, 5.11)]
-    coat = lathe([(0.05, 0.62), (0.20, 0.66), (0.17, 1.15), (0.20, 1.45), (0.10, 1.64), (0.0, 1.68)], "coat", 14, lambda a, k: 1.0 + 0.12 * math.sin(5 * a) * (k < 3))
-    return joined(hooks + feet + [tube([(0, 0, 0.1), (0, 0, 1.86)], 0.025, "oak_dark", 8), coat.scaled(1, 0.6, 1).moved(0.08, 0.05), hat().moved(0, 0, 1.80)])
+    return joined(hooks + feet + [tube([(0, 0, 0.1), (0, 0, 1.86)], 0.025, "oak_dark", 8), hung_coat("coat", 0.64).moved(0.10, -0.08, 0.02), hat().moved(0, 0, 1.80)])
+
+
+def stove(ceiling):
+    """A porter's iron stove on its plate, its pipe to the ceiling, the door to -y ajar upon the fire. Returns it and the fire."""
+    body = lathe([(0.0, 0.10), (0.24, 0.10), (0.25, 0.14), (0.22, 0.17), (0.21, 0.78), (0.25, 0.82), (0.25, 0.86), (0.16, 0.93), (0.0, 0.95)], "iron", 16)
+    legs = [block(x - 0.025, y - 0.025, 0.0, x + 0.025, y + 0.025, 0.12, "iron", 0.0) for x in (-0.15, 0.15) for y in (-0.15, 0.15)]
+    pipe = [tube([(0, 0.06, 0.90), (0, 0.06, ceiling)], 0.055, "iron", 8), lathe([(0.056, ceiling - 0.04), (0.10, ceiling - 0.01), (0.10, ceiling)], "iron", 10).moved(0, 0.06, 0)]
+    frame = [block(-0.13, -0.235, 0.34, 0.13, -0.19, 0.38, "iron", 0.0), block(-0.13, -0.235, 0.56, 0.13, -0.19, 0.60, "iron", 0.0),
+             block(-0.13, -0.235, 0.34, -0.09, -0.19, 0.60, "iron", 0.0), block(0.09, -0.235, 0.34, 0.13, -0.19, 0.60, "iron", 0.0)]
+    frame += [block(x - 0.008, -0.232, 0.38, x + 0.008, -0.215, 0.56, "iron", 0.0) for x in (-0.045, 0.0, 0.045)]
+    kettle = lathe([(0.0, 0.95), (0.10, 0.955), (0.115, 1.0), (0.09, 1.07), (0.03, 1.10), (0.02, 1.12), (0.0, 1.125)], "copper", 14).moved(0.03, -0.03, 0)
+    spout = tube([(0.12, -0.03, 1.0), (0.19, -0.03, 1.07)], [0.018, 0.010], "copper", 6)
+    plate = slab(0.8, 0.8, 0.012, "iron", 0.0)
+    return joined([body, kettle, spout, plate] + legs + pipe + frame), block(-0.09, -0.212, 0.38, 0.09, -0.208, 0.56, "ember", 0.0)
 
 
 def ticket_board(width=1.5, height=0.9):

@@ -88,13 +88,14 @@ void leave_by_the_stair(Actor& thief) {
     thief.note("down the stair");
 }
 
+// A last look back, at him.
 void walk_out(Actor& thief) {
     thief.go_for(floor_at(0.6f, -10.0f), Pace::Run, thief.handle_of("door_vestibule_right"));
     thief.note("at the vestibule");
     thief.open("door_vestibule_right", 0.5f);
     thief.note("vestibule open");
     thief.go(floor_at(0.2f, -14.2f), Pace::Run);
-    thief.watch(floor_at(0.0f, -15.4f, 1.5f), 0.5f);
+    thief.watch_guard(0.8f);
     thief.note("out");
 }
 
