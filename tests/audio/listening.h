@@ -59,6 +59,13 @@ inline double decibels(double ratio) {
     return 20.0 * std::log10(ratio);
 }
 
+// Somebody with the game's sounds in his ears, who looks along -z: his left is -x.
+class WithEars : public testing::Test {
+  protected:
+    SoundBank bank_ = load_bank();
+    Ear ear_{.position = {0.0f, 1.6f, 0.0f}};
+};
+
 // A steady tone to measure with: the hum of a lamp.
 inline Heard hum_at(const glm::vec3& position, std::uint32_t key = 1) {
     return {.sound = {Sound::LampHum, 0}, .voice_key = key, .position = position, .loop = true};

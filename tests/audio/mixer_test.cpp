@@ -1,8 +1,6 @@
 #include "audio/mixer.h"
 
 #include "audio/acoustics.h"
-#include "audio/hall.h"
-#include "audio/room_sound.h"
 #include "audio/listening.h"
 #include "base/hash.h"
 
@@ -24,11 +22,7 @@ using test::listen;
 using test::open_mixer;
 using test::Stereo;
 
-class MixerTest : public testing::Test {
-  protected:
-    SoundBank bank_ = test::load_bank();
-    Ear ear_{.position = {0.0f, 1.6f, 0.0f}};  // looks along -z: the left is -x
-};
+using MixerTest = test::WithEars;
 
 // A busy minute of the game, scaled down: a guard walks round the player, stones fall, a lamp hums, and the
 // player turns his head.
@@ -183,144 +177,6 @@ TEST_F(MixerTest, ThreeBandsTogetherAreTheSoundAsItWasMade) {
         yy += y * y;
     }
     EXPECT_GT(xy / std::sqrt(xx * yy), 0.9999);
-}
-
-// A stone's click is over; what is left of it between two moments says how long the room rings.
-double seconds_to_60_db(Mixer& mixer, const Ear& ear) {
-    const Heard click{.sound = {Sound::StoneParquet, 0}, .voice_key = 77, .position = ear.position + glm::vec3(0, 0, -2)};
-    std::ignore = listen(mixer, ear, std::span(&click, 1), 36);
-    const double early = listen(mixer, ear, {}, 12).rms();
-    std::ignore = listen(mixer, ear, {}, 12);
-    const double late = listen(mixer, ear, {}, 12).rms();
-    return -60.0 * 24.0 / 60.0 / decibels(late / early);
-}
-
-RoomSound ringing_for(float seconds) {
-    return {.decay = {seconds, seconds, seconds}, .mean_free_path = 4.0f};
-}
-
-// Every room rings as long as it says. OpenAL Soft's own decay is 2 to 8 % long, and a window of noise has its spread.
-TEST_F(MixerTest, ARoomRingsAsLongAsItIsSaidTo) {
-    for (const float seconds : {0.9f, 1.9f, 3.5f}) {
-        Mixer mixer = open_mixer(bank_);
-        mixer.set_room(ringing_for(seconds));
-        std::ignore = listen(mixer, ear_, {}, kHallFadeTicks + 2);
-        EXPECT_NEAR(seconds_to_60_db(mixer, ear_) / static_cast<double>(seconds), 1.0, 0.2) << seconds << " s";
-    }
-}
-
-// What has no place, as the room's own tone, is dry.
-TEST_F(MixerTest, WhatHasNoPlaceDoesNotRing) {
-    Mixer dry = open_mixer(bank_);
-    const Heard sting{.sound = {Sound::Switch, 0}, .position = ear_.position};
-    std::ignore = listen(dry, ear_, std::span(&sting, 1), static_cast<int>(bank_.ticks(sting.sound)) + 2);
-    EXPECT_LT(listen(dry, ear_, {}, 6).rms(), 1e-7);
-}
-
-// Through a door and back: each time the room one is in is heard half a second later, also when one turns back half way.
-TEST_F(MixerTest, WalkingFromRoomToRoomChangesHowLongItRings) {
-    Mixer mixer = open_mixer(bank_);
-    for (const float seconds : {2.5f, 0.9f}) {
-        mixer.set_room(ringing_for(seconds));
-        std::ignore = listen(mixer, ear_, {}, kHallFadeTicks + 2);
-        EXPECT_NEAR(seconds_to_60_db(mixer, ear_) / static_cast<double>(seconds), 1.0, 0.2) << seconds << " s";
-        std::ignore = listen(mixer, ear_, {}, 150);  // and dies away
-    }
-    mixer.set_room(ringing_for(0.9f));
-    std::ignore = listen(mixer, ear_, {}, kHallFadeTicks / 2);
-    mixer.set_room(ringing_for(2.5f));
-    std::ignore = listen(mixer, ear_, {}, 2 * kHallFadeTicks + 4);
-    EXPECT_NEAR(seconds_to_60_db(mixer, ear_) / 2.5, 1.0, 0.2);
-}
-
-// A lamp hums on while one walks through a door: no step in the sound larger than the hum's own, and at equal power.
-TEST_F(MixerTest, NothingClicksWhenTheRoomChanges) {
-    Mixer mixer = open_mixer(bank_);
-    const Heard hum = hum_at({0.0f, 1.6f, -1.0f});
-    const auto largest_step = [](const Stereo& out) {
-        float largest = 0.0f;
-        for (std::size_t i = 2; i < out.samples.size(); i += 2) {
-            largest = std::max(largest, std::abs(out.samples[i] - out.samples[i - 2]));
-        }
-        return largest;
-    };
-    mixer.set_room(ringing_for(2.0f));
-    std::ignore = listen(mixer, ear_, std::span(&hum, 1), 120);
-    const Stereo before = listen(mixer, ear_, std::span(&hum, 1), 240);
-    mixer.set_room(ringing_for(1.9f));
-    const Stereo change = listen(mixer, ear_, std::span(&hum, 1), kHallFadeTicks + 30);
-    EXPECT_LE(largest_step(change), 1.1f * largest_step(before));
-}
-
-// Forty things sound at once; the loudest are heard and no more than may be.
-TEST_F(MixerTest, StealingNeverExceedsTheLimit) {
-    Mixer mixer = open_mixer(bank_);
-    std::vector<float> block(2 * kFramesPerTick);
-    for (std::uint32_t tick = 0; tick < 40; ++tick) {
-        std::vector<Heard> heard;
-        for (std::uint32_t i = 0; i < 40; ++i) {
-            Heard h = hum_at({1.0f, 1.0f, static_cast<float>(i)}, (i * 7 + tick * 3) % 200);
-            h.gain = 0.01f + 0.001f * static_cast<float>((i * 13 + tick * 5) % 40);
-            h.loop = i % 3 != 0;
-            heard.push_back(h);
-        }
-        mixer.tick(ear_, heard);
-        mixer.render(block);
-        EXPECT_LE(mixer.voices(), kMaxVoices + kMaxFading);
-        EXPECT_GE(mixer.voices(), kMaxVoices);
-        for (const float x : block) ASSERT_TRUE(std::isfinite(x));
-    }
-}
-
-// A distant step that no voice was free for must not be heard a second late, when the noise has died down.
-TEST_F(MixerTest, AStepThatFoundNoVoiceDoesNotComeLate) {
-    Mixer mixer = open_mixer(bank_, false);
-    std::vector<Heard> crowd;
-    for (std::uint32_t i = 0; i < kMaxVoices; ++i) crowd.push_back(hum_at({1.0f, 1.0f, -1.0f}, 100 + i));
-    crowd.push_back(
-        {.sound = {Sound::BootMarble, 0}, .voice_key = 7, .position = {0.0f, 0.0f, -2.0f}, .gain = 0.5f});
-    std::ignore = listen(mixer, ear_, crowd, 4);
-    const std::vector<Heard> step = {crowd.back()};
-    std::ignore = listen(mixer, ear_, step, 12);
-    EXPECT_EQ(mixer.voices(), 0u);
-    // And one that is pushed out half way does not begin again.
-    std::ignore = listen(mixer, ear_, {}, 1);
-    std::ignore = listen(mixer, ear_, step, 3);
-    EXPECT_EQ(mixer.voices(), 1u);
-    std::ignore = listen(mixer, ear_, crowd, 6);
-    std::ignore = listen(mixer, ear_, step, 12);
-    EXPECT_EQ(mixer.voices(), 0u);
-}
-
-// A sound that rang out is over, though its noise is still named; the next noise has another key.
-TEST_F(MixerTest, ASoundIsPlayedOnce) {
-    Mixer mixer = open_mixer(bank_, false);
-    const Heard click{.sound = {Sound::Switch, 0}, .voice_key = 5, .position = {0.0f, 1.6f, -1.0f}};
-    const int length = static_cast<int>(bank_.ticks(click.sound));
-    EXPECT_GT(listen(mixer, ear_, std::span(&click, 1), length + 4).rms(), 1e-5);
-    EXPECT_EQ(mixer.voices(), 0u);
-    EXPECT_LT(listen(mixer, ear_, std::span(&click, 1), 20).rms(), 1e-7);
-    // Named anew after a silence, it sounds anew.
-    std::ignore = listen(mixer, ear_, {}, 1);
-    EXPECT_GT(listen(mixer, ear_, std::span(&click, 1), 4).rms(), 1e-5);
-}
-
-// A lamp switched off: its hum is gone within a fifth of a second, and without a step in between.
-TEST_F(MixerTest, ALoopFadesWhenItIsNoLongerNamed) {
-    Mixer mixer = open_mixer(bank_, false);
-    const Heard hum = hum_at({0.0f, 1.6f, -1.0f});
-    const Stereo before = listen(mixer, ear_, std::span(&hum, 1), 30);
-    const Stereo after = listen(mixer, ear_, {}, 12);
-    EXPECT_EQ(mixer.voices(), 0u);
-    float largest = 0.0f, fading = 0.0f;
-    for (std::size_t i = before.samples.size() / 2 + 2; i < before.samples.size(); i += 2) {
-        largest = std::max(largest, std::abs(before.samples[i] - before.samples[i - 2]));
-    }
-    for (std::size_t i = 2; i < after.samples.size(); i += 2) {
-        fading = std::max(fading, std::abs(after.samples[i] - after.samples[i - 2]));
-    }
-    EXPECT_LE(fading, largest * 1.02f);
-    EXPECT_EQ(after.samples.back(), 0.0f);
 }
 
 TEST_F(MixerTest, ThePauseMenuIsSilentAndNothingIsLost) {

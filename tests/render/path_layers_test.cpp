@@ -2,6 +2,7 @@
 #include "base/random.h"
 #include "path_studio.h"
 #include "render/bsdf.h"
+#include "shaded.h"
 
 #include <gtest/gtest.h>
 
@@ -13,17 +14,9 @@ namespace {
 
 using render::Bsdf;
 using render::Lobe;
+using test::energy;
 using test::Studio;
-
-const render::GlossEnergy& energy() {
-    static const render::GlossEnergy table;
-    return table;
-}
-
-glm::vec3 tilted(float cosine, float turn = 0.3f) {
-    const float sine = std::sqrt(1.0f - cosine * cosine);
-    return {sine * std::cos(turn), sine * std::sin(turn), cosine};
-}
+using test::tilted;
 
 struct Surface {
     std::string name;
