@@ -4,6 +4,7 @@ Keys and mouse come from xdotool, pictures from ImageMagick's import; screenshot
 """
 
 import os
+import shutil
 import subprocess
 import sys
 import time
@@ -14,6 +15,14 @@ TIMEOUT_S = 60
 def fail(sentence):
     print(f"FAILED: {sentence}")
     sys.exit(1)
+
+
+def program_and_folder():
+    """The game's program and an empty folder for what is seen of it, as the command line names them."""
+    glasshouse, out = sys.argv[1], sys.argv[2]
+    shutil.rmtree(out, ignore_errors=True)
+    os.makedirs(out)
+    return glasshouse, out
 
 
 def start_x_server():
@@ -87,6 +96,11 @@ class Desk:
         cut = ["-crop", crop, "+repage"] if crop else []
         return self.measure(path, *cut, "-colorspace", "Gray", "-format", "%[fx:mean] %[fx:standard_deviation]")
 
+    def difference(self, first, second):
+        """Root mean square difference of two pictures, 0..1."""
+        done = subprocess.run(["compare", "-metric", "RMSE", first, second, "null:"], env=self.env, capture_output=True, text=True)
+        return float(done.stderr.split("(")[1].split(")")[0])
+
     def wait_until(self, name, look, is_wanted):
         """Takes screenshots until `is_wanted(look(path))`; slow machines draw late. Returns (path, what was seen)."""
         deadline = time.monotonic() + TIMEOUT_S
@@ -100,7 +114,9 @@ class Desk:
             time.sleep(0.3)
 
     def wait_for_picture(self, name):
-        """Until something is drawn that is neither black nor flat."""
+        """Until there is a window and something is drawn that is neither black nor flat."""
+        if self.window is None:
+            self.wait_for_window()
         path, (mean, deviation) = self.wait_until(name, self.figures, lambda seen: min(seen) > 0.01)
         print(f"{name}: mean {mean:.4f}, deviation {deviation:.4f}")
         return path
@@ -120,7 +136,10 @@ class Desk:
         if code != 0:
             fail(f"the game ended with {code}: {self.game.stderr.read()}")
 
-    def close(self):
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *what_went_wrong):
         if self.game.poll() is None:
             self.game.kill()
         self.server.terminate()

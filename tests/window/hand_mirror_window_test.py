@@ -17,12 +17,10 @@ is red, the one to the left, from the elbow back, green; a mirror lies flat and 
 import base64
 import json
 import os
-import shutil
 import struct
-import sys
 import time
 
-from desk import Desk, fail, ticks_spent
+from desk import Desk, fail, program_and_folder, ticks_spent
 
 GREY, RED, GREEN, MIRROR = range(4)
 EYES = 1.68  # metres: a standing player's
@@ -113,20 +111,14 @@ def hold_mirror_up(desk):
 
 
 def main():
-    glasshouse, out = sys.argv[1], sys.argv[2]
-    shutil.rmtree(out, ignore_errors=True)
-    os.makedirs(out)
+    glasshouse, out = program_and_folder()
     level = os.path.join(out, "mirror_room.gltf")
     write_level(level)
     recording = os.path.join(out, "mirror.rec")
-    desk = Desk([glasshouse, level, "--size", "640x360", "--record", recording], out)
-    try:
-        desk.wait_for_window()
+    with Desk([glasshouse, level, "--size", "640x360", "--record", recording], out) as desk:
         desk.wait_for_picture("1_opened")
         hold_mirror_up(desk)
         desk.quit_by_menu()
-    finally:
-        desk.close()
 
     spent = ticks_spent(glasshouse, recording)
     print(spent)

@@ -4,30 +4,22 @@
 """
 
 import os
-import shutil
 import subprocess
-import sys
 import time
 
-from desk import TIMEOUT_S, Desk, fail, ticks_spent
-
-
-def difference(desk, first, second):
-    """Root mean square difference of two pictures, 0..1."""
-    done = subprocess.run(["compare", "-metric", "RMSE", first, second, "null:"], env=desk.env, capture_output=True, text=True)
-    return float(done.stderr.split("(")[1].split(")")[0])
+from desk import TIMEOUT_S, Desk, fail, program_and_folder, ticks_spent
 
 
 def look_round(desk, first):
     desk.xdotool("mousemove_relative", "--", "120", "10")
-    _, moved = desk.wait_until("2_looked", lambda path: difference(desk, first, path), lambda moved: moved > 0.02)
+    _, moved = desk.wait_until("2_looked", lambda path: desk.difference(first, path), lambda moved: moved > 0.02)
     print(f"looked round: the picture changed by {moved:.4f}")
 
 
 def walk(desk):
     standing = desk.screenshot("2_standing")
     desk.hold("w", 2.0)
-    moved = difference(desk, standing, desk.screenshot("2_walked"))
+    moved = desk.difference(standing, desk.screenshot("2_walked"))
     print(f"walked: the picture changed by {moved:.4f}")
     if moved < 0.02:
         fail("holding W changed nothing to be seen")
@@ -56,12 +48,12 @@ def pause(desk):
     desk.xdotool("key", "Escape")
     time.sleep(1.5)
     menu = desk.screenshot("6_menu")
-    change = difference(desk, before_menu, menu)
+    change = desk.difference(before_menu, menu)
     print(f"paused: the picture changed by {change:.4f}")
     if change < 0.01:
         fail("Escape shows no menu")
     still = desk.screenshot("7_menu_again")
-    if difference(desk, menu, still) > change / 4:
+    if desk.difference(menu, still) > change / 4:
         fail("the world goes on behind the menu")
     if not desk.pointer_can_leave():
         fail("Escape does not free the pointer")
@@ -70,21 +62,15 @@ def pause(desk):
 
 
 def main():
-    glasshouse, out = sys.argv[1], sys.argv[2]
-    shutil.rmtree(out, ignore_errors=True)
-    os.makedirs(out)
+    glasshouse, out = program_and_folder()
     recording = os.path.join(out, "window.rec")
-    desk = Desk([glasshouse, "foyer", "--size", "640x360", "--record", recording], out)
-    try:
-        desk.wait_for_window()
+    with Desk([glasshouse, "foyer", "--size", "640x360", "--record", recording], out) as desk:
         first = desk.wait_for_picture("1_opened")
         look_round(desk, first)
         walk(desk)
         resize(desk)
         pause(desk)
         desk.quit_by_menu()
-    finally:
-        desk.close()
 
     # What was played is what was recorded: it verifies, and the keys are in it.
     spent = ticks_spent(glasshouse, recording)
