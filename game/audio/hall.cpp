@@ -10,7 +10,6 @@ namespace gh::audio {
 
 namespace {
 
-constexpr float kSpeedOfSound = 343.0f;  // m/s
 
 template <class Function>
 Function al_function(const char* name) {
@@ -59,7 +58,7 @@ void Hall::furnish(std::size_t slot, const RoomSound& room) {
     const ALuint effect = effects_[slot];
     al_function<LPALEFFECTI>("alEffecti")(effect, AL_EFFECT_TYPE, AL_EFFECT_EAXREVERB);
     for (const Setting& s : kEverywhere) set_float(effect, s.parameter, s.value);
-    const float crossing = room.mean_free_path / kSpeedOfSound;  // seconds from wall to wall
+    const float crossing = room.mean_free_path / world::kSpeedOfSound;  // seconds from wall to wall
     const Setting own[] = {
         {AL_EAXREVERB_GAIN, std::clamp(0.55f * room.level, 0.0f, 1.0f)},
         {AL_EAXREVERB_DECAY_TIME, std::clamp(room.decay[1], 0.1f, 20.0f)},

@@ -11,7 +11,6 @@ namespace gh::audio {
 
 namespace {
 
-constexpr float kSpeedOfSound = 343.0f;  // m/s
 constexpr float kWallReach = 0.05f;      // metres: a room's walls lie on its box
 constexpr float kShortest = 0.15f;  // seconds; EFX knows nothing below 0.1
 constexpr float kLongest = 4.0f;
@@ -55,7 +54,7 @@ RoomSound sound_of(const world::Aabb& box, const Surfaces& surfaces) {
     for (std::size_t b = 0; b < world::kBands; ++b) {
         const float share = std::clamp(surfaces.absorbing[b] / surfaces.area, 1e-4f, kMostAbsorbing);
         const float seconds = 24.0f * std::log(10.0f) * volume /
-                              (kSpeedOfSound * surfaces.area * -std::log(1.0f - share));
+                              (world::kSpeedOfSound * surfaces.area * -std::log(1.0f - share));
         sound.decay[b] = std::clamp(seconds, kShortest, kLongest);
     }
     const float share = std::clamp(surfaces.absorbing[1] / surfaces.area, 1e-4f, kMostAbsorbing);

@@ -55,7 +55,7 @@ std::vector<std::uint8_t> parts_to_fuse(const world::Level& level) {
     return fuses;
 }
 
-glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
+glm::vec3 turned_or(const glm::vec3& v, const glm::vec3& fallback) {
     const float length = glm::length(v);
     return length > 0.0f && std::isfinite(length) ? v / length : fallback;
 }
@@ -68,10 +68,10 @@ void append(world::Mesh& whole, const world::Mesh& mesh, const glm::mat4x3& to_w
     const float outwards = is_mirrored ? -1.0f : 1.0f;
     const auto first = static_cast<std::uint32_t>(whole.positions.size());
     for (const glm::vec3& p : mesh.positions) whole.positions.push_back(transform_point(to_world, p));
-    for (const glm::vec3& n : mesh.normals) whole.normals.push_back(unit_or(cofactor * n * outwards, n));
+    for (const glm::vec3& n : mesh.normals) whole.normals.push_back(turned_or(cofactor * n * outwards, n));
     whole.uvs.insert(whole.uvs.end(), mesh.uvs.begin(), mesh.uvs.end());
     for (const glm::vec4& t : mesh.tangents) {
-        const glm::vec3 along = unit_or(turn * glm::vec3(t), glm::vec3(t));
+        const glm::vec3 along = turned_or(turn * glm::vec3(t), glm::vec3(t));
         whole.tangents.emplace_back(along, is_mirrored ? -t.w : t.w);
     }
     for (const glm::uvec3& corners : mesh.triangles) {

@@ -8,7 +8,7 @@
 namespace gh::load {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x46546C67u;  // "glTF"
+constexpr std::uint32_t kGltfMagic = 0x46546C67u;  // "glTF"
 constexpr std::uint32_t kJson = 0x4E4F534Au;
 constexpr std::uint32_t kBin = 0x004E4942u;
 
@@ -139,7 +139,7 @@ Result<GltfEnvelope> open_envelope(std::span<const std::byte> bytes) {
     if (bytes.empty()) return Error{"is empty"};
     ByteReader reader(bytes);
     std::uint32_t magic = 0;
-    if (reader.read(magic) && magic == kMagic) return open_binary(bytes);
+    if (reader.read(magic) && magic == kGltfMagic) return open_binary(bytes);
     for (const char c : as_text(bytes)) {  // a .gltf begins with its outermost object
         if (c == '{') return GltfEnvelope{as_text(bytes), {}, false};
         if (c != ' ' && c != '\t' && c != '\n' && c != '\r') break;

@@ -3,6 +3,7 @@
 #include "base/hash.h"
 #include "load/level_check.h"
 #include "load/level_loader.h"
+#include "load/place_words.h"
 #include "load/walkways.h"
 #include "world/level.h"
 
@@ -21,10 +22,6 @@ template <class... Args>
 void line(Page& page, fmt::format_string<Args...> format, Args&&... args) {
     fmt::format_to(std::back_inserter(page), format, std::forward<Args>(args)...);
     page += '\n';
-}
-
-std::string at(const glm::vec3& p) {
-    return fmt::format("({:.2f}, {:.2f}, {:.2f})", p.x, p.y, p.z);
 }
 
 std::string titled(const std::string& name, const std::string& title) {

@@ -2,6 +2,7 @@
 
 #include "load/open_edges.h"
 #include "load/part_geometry.h"
+#include "load/place_words.h"
 #include "load/walkways.h"
 
 #include "raycore/mesh.h"
@@ -15,10 +16,6 @@ namespace {
 
 constexpr float kArm = 1.6f;   // metres from the eyes to what one takes
 constexpr float kEyes = 1.6f;  // metres above the feet
-
-std::string at(const glm::vec3& p) {
-    return fmt::format("({:.2f}, {:.2f}, {:.2f})", p.x, p.y, p.z);
-}
 
 void check_shells(const world::Level& level, LevelReport& report) {
     for (const world::Part& part : level.parts) {

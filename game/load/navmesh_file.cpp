@@ -10,8 +10,8 @@
 namespace gh::load {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x564E4847u;  // "GHNV"
-constexpr std::uint32_t kVersion = 1;          // raise it when bake_navmesh would make another tile
+constexpr std::uint32_t kNavmeshMagic = 0x564E4847u;  // "GHNV"
+constexpr std::uint32_t kVersion = 1;                 // raise it when bake_navmesh would make another tile
 constexpr std::size_t kMostBytes = std::size_t{256} << 20;
 
 }  // namespace
@@ -32,7 +32,7 @@ std::optional<std::vector<std::byte>> read_navmesh_file(const std::filesystem::p
     reader.read(ground_hash);
     reader.read(tile_hash);
     std::span<const std::byte> tile;
-    if (!reader.read_bytes(reader.left(), tile) || magic != kMagic || version != kVersion)
+    if (!reader.read_bytes(reader.left(), tile) || magic != kNavmeshMagic || version != kVersion)
         return std::nullopt;
     if (tile_hash != hash_bytes(tile) || ground_hash != ground.hash()) return std::nullopt;
     return std::vector<std::byte>(tile.begin(), tile.end());
@@ -50,7 +50,7 @@ Result<void> bake_navmesh_file(const std::filesystem::path& level_path) {
     if (!tile) return refuse(tile.error());
     if (tile->empty()) return refuse(Error{"there is nothing to walk on"});
     ByteWriter writer;
-    writer.write(kMagic);
+    writer.write(kNavmeshMagic);
     writer.write(kVersion);
     writer.write(ground->hash());
     writer.write(hash_bytes(*tile));

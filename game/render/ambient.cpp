@@ -1,6 +1,7 @@
 #include "render/ambient.h"
 
 #include "base/contracts.h"
+#include "render/light_math.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -89,7 +90,6 @@ void AmbientLight::gather(const glm::vec3& position, const glm::vec3& normal, co
         const AmbientCube& cube = cubes_[weights.point[i]];
         for (std::size_t side = 0; side < 6; ++side) blend.face[side] += cube.face[side] * weights.weight[i];
     }
-    constexpr float kPerPi = 0.318309886f;
     irradiance = blend.irradiance(normal);
     reflected = blend.irradiance(direction) * kPerPi;
 }

@@ -2,6 +2,7 @@
 
 #include "base/det_math.h"
 #include "render/ambient_looks.h"
+#include "render/light_math.h"
 
 #include <glm/common.hpp>
 
@@ -12,8 +13,6 @@
 namespace gh::render {
 
 namespace {
-
-constexpr float kPerPi = 1.0f / kPi;
 
 void note_lit_groups(Bake& bake, std::size_t point) {
     bake.is_lit_by[point].reset();

@@ -4,6 +4,7 @@
 #include "base/random.h"
 #include "render/ambient_gleams.h"
 #include "render/directions.h"
+#include "render/light_math.h"
 #include "render/octahedron.h"
 #include "render/sampler.h"
 #include "render/shading_point.h"
@@ -24,14 +25,13 @@ namespace gh::render {
 
 namespace {
 
-constexpr float kPerPi = 1.0f / kPi;
-constexpr float kFaintest = 1e-4f;  // W/m2
+constexpr float kFaintestLook = 1e-4f;  // W/m2
 // Of the faces a point sees: one that sees more insides of walls is in a wall, and one that sees more backs of anything,
 // though a sheet may well have two sides, is in a piece of furniture.
 constexpr float kMostWalls = 0.25f, kMostBacks = 0.6f;
 constexpr std::size_t kFirstLooks =
     24;  // that tell whether a point is in the open, before the others are sent
-constexpr int kMostCrossings = 6;
+constexpr int kCrossingsOfALook = 6;
 
 // What leaves a patch towards a grid point, by the lamp group it is owed to.
 struct Arrival {
@@ -50,7 +50,7 @@ std::size_t group_or(std::uint32_t group, std::size_t always) {
 
 // Follows a ray through glass to something opaque; `tint` becomes what is left of the light.
 std::optional<rc::Hit> first_opaque(const SceneView& view, rc::Ray& ray, glm::vec3& tint) {
-    for (int i = 0; i < kMostCrossings; ++i) {
+    for (int i = 0; i < kCrossingsOfALook; ++i) {
         const auto hit = rc::closest_hit(*view.snapshot.scene, ray, world::Light);
         if (!hit || !view.prepared.parts[hit->instance].is_clear) return hit;
         const Clearness clear = clearness(view, *hit);
@@ -66,7 +66,7 @@ glm::vec3 radiance_by(const Bake& bake, std::uint32_t id, const ShadingPoint& at
                       std::uint32_t seed) {
     const world::Lamp& lamp = bake.view.level.lamps[id];
     const glm::vec3 irradiance = lamp_irradiance(lamp, at.surface.position, at.geometric);
-    if (!(std::max({irradiance.x, irradiance.y, irradiance.z}) > kFaintest)) return glm::vec3(0.0f);
+    if (!(std::max({irradiance.x, irradiance.y, irradiance.z}) > kFaintestLook)) return glm::vec3(0.0f);
     const glm::vec3 target = lamp_point(lamp, at.surface.position, sobol_point(0, seed));
     if (lamp.shape != world::LampShape::Sun && glm::dot(target - at.surface.position, at.geometric) <= 0.0f)
         return glm::vec3(0.0f);

@@ -17,7 +17,7 @@ namespace gh::render {
 
 namespace {
 
-constexpr int kMostCrossings = 32;  // leaves and panes one behind the other; then it is dark
+constexpr int kCrossingsOfAWay = 32;  // leaves and panes one behind the other; then it is dark
 
 bool is_black(const glm::vec3& c) {
     return !(std::max({c.x, c.y, c.z}) > 0.0f);
@@ -54,7 +54,7 @@ ClearWay follow(const SceneView& view, const rc::Ray& whole, const rc::Hit& firs
             share = glm::max(share - glass, glm::vec3(0.0f)) + glass * (1.0f - lost);
         }
         way.share *= share;
-        if (i == kMostCrossings) way.share = glm::vec3(0.0f);
+        if (i == kCrossingsOfAWay) way.share = glm::vec3(0.0f);
         if (is_black(way.share)) break;
         if (passes_glass && is_solid) {
             if (glm::dot(direction, clear.outward) < 0.0f) {

@@ -28,8 +28,8 @@ constexpr float kNeighbourShare =
     0.2f;  // of what a cell sees counts for those around it, which may see it as well
 constexpr float kLeastShare = 0.03f;  // of a lamp's light that has to come back out of a ball worth aiming at
 constexpr float kWidest = 1.0f / 24.0f;  // radius of a gleam, of the level's size
-constexpr float kFaintest = 0.01f;       // gleams weaker than that share of a cell's strongest are left out
-constexpr float kLeastCosine = 0.1f;     // at which a gleam low over the horizon still counts
+constexpr float kFaintestShare = 0.01f;  // gleams weaker than that share of a cell's strongest are left out
+constexpr float kLeastHeight = 0.1f;     // at which a gleam low over the horizon still counts
 
 // Something small that shines all around.
 struct Source {
@@ -208,7 +208,7 @@ std::vector<SeenGleam> seen_around(const Grid& grid, std::size_t cell_index,
     }
     std::sort(all.begin(), all.end(), is_stronger);
     all.resize(std::min(all.size(), GleamGuide::kMost));
-    while (!all.empty() && !(all.back().weight > kFaintest * all.front().weight)) all.pop_back();
+    while (!all.empty() && !(all.back().weight > kFaintestShare * all.front().weight)) all.pop_back();
     return all;
 }
 
@@ -258,7 +258,7 @@ GleamGuide::GleamGuide(const Gleams& gleams, std::span<const std::uint8_t> is_on
         if (normal != glm::vec3(0.0f)) {
             const float height = glm::dot(normal, way) + ball.radius;
             if (!(height > 0.0f)) continue;
-            weight *= std::clamp(height / distance, kLeastCosine, 1.0f);
+            weight *= std::clamp(height / distance, kLeastHeight, 1.0f);
         }
         const float sin2 = radius2 / distance2;
         cones_[count_++] = {way / distance, sin2 / (1.0f + std::sqrt(1.0f - sin2)), weight};

@@ -30,7 +30,7 @@ glm::vec3 visible_normal(const glm::vec3& eye, float alpha, float u, float v) {
     return glm::normalize(glm::vec3(alpha * n.x, alpha * n.y, std::max(1e-6f, n.z)));
 }
 
-float smith_lambda(float cosine, float alpha) {
+float smith_lambda_at(float cosine, float alpha) {
     const float tan2 = (1.0f - cosine * cosine) / (cosine * cosine);
     return 0.5f * (std::sqrt(1.0f + alpha * alpha * tan2) - 1.0f);
 }
@@ -66,9 +66,9 @@ GlossTable::GlossTable() {
                 const float cos_half_eye = std::max(0.0f, glm::dot(eye, half));
                 const float cos_light = 2.0f * cos_half_eye * half.z - eye.z;
                 if (!(cos_light > 0.0f)) continue;
-                const float lambda_eye = smith_lambda(cosine, alpha);
+                const float lambda_eye = smith_lambda_at(cosine, alpha);
                 const float weight =
-                    (1.0f + lambda_eye) / (1.0f + lambda_eye + smith_lambda(cos_light, alpha));
+                    (1.0f + lambda_eye) / (1.0f + lambda_eye + smith_lambda_at(cos_light, alpha));
                 const float m = 1.0f - cos_half_eye;
                 const float m5 = m * m * m * m * m;
                 of_f0 += weight * (1.0f - m5);

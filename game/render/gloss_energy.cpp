@@ -2,6 +2,7 @@
 
 #include "base/det_math.h"
 #include "render/microfacets.h"
+#include "render/table_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -103,27 +104,6 @@ float alpha_of(float roughness) {
     return std::max(roughness * roughness, kLeastAlpha);
 }
 
-// The cell and the place in it.
-struct Place {
-    std::size_t cell;
-    float t;
-};
-Place place(float x, int side) {
-    const float scaled = std::clamp(x, 0.0f, 1.0f) * static_cast<float>(side - 1);
-    const int cell = std::min(static_cast<int>(scaled), side - 2);
-    return {static_cast<std::size_t>(cell), scaled - static_cast<float>(cell)};
-}
-
-float blend(float a, float b, float t) {
-    return a + (b - a) * t;
-}
-
-float between(const float* table, std::size_t columns, const Place& row, const Place& column) {
-    const float* low = table + row.cell * columns + column.cell;
-    const float* high = low + columns;
-    return blend(blend(low[0], low[1], column.t), blend(high[0], high[1], column.t), row.t);
-}
-
 }  // namespace
 
 // White's columns are even in the root of cosine (1 + alpha) / (cosine + alpha), the tail's in that of the cosine.
@@ -162,13 +142,13 @@ GlossEnergy::GlossEnergy(bool has_cloth) : sheen_(has_cloth ? Sheen() : Sheen::n
 
 GlossEnergy::Share GlossEnergy::towards(float cosine, float roughness) const {
     const float mu = std::clamp(cosine, 0.0f, 1.0f), alpha = alpha_of(std::clamp(roughness, 0.0f, 1.0f));
-    const Place y = place(roughness, kRoughnesses);
-    const Place x = place(std::sqrt(mu * (1.0f + alpha) / (mu + alpha)), kCosines);
-    const Place z = place(std::sqrt(mu), kTailCosines);
+    const TablePlace y = place_in_table(roughness, kRoughnesses);
+    const TablePlace x = place_in_table(std::sqrt(mu * (1.0f + alpha) / (mu + alpha)), kCosines);
+    const TablePlace z = place_in_table(std::sqrt(mu), kTailCosines);
     const float white = between(white_.data(), kCosines, y, x);
     // The tail grows with alpha, as the square of roughness does from row to row.
     const auto row = static_cast<float>(y.cell);
-    const Place y_tail{y.cell, y.t * (2.0f * row + y.t) / (2.0f * row + 1.0f)};
+    const TablePlace y_tail{y.cell, y.t * (2.0f * row + y.t) / (2.0f * row + 1.0f)};
     const float tail = between(tail_.data(), kTailCosines, y_tail, z);
     const float m = std::clamp(tail + (1.0f - mu), 0.0f, 1.0f);
     const float sure = std::min(white + kWhiteMargin, 1.0f);
@@ -179,7 +159,7 @@ GlossEnergy::Share GlossEnergy::towards(float cosine, float roughness) const {
 }
 
 GlossEnergy::Share GlossEnergy::mean(float roughness) const {
-    const Place y = place(roughness, kMeans);
+    const TablePlace y = place_in_table(roughness, kMeans);
     const Share &a = means_[y.cell], &b = means_[y.cell + 1];
     return {blend(a.white, b.white, y.t), blend(a.grazing, b.grazing, y.t)};
 }

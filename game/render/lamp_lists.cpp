@@ -15,7 +15,7 @@ namespace gh::render {
 
 namespace {
 
-constexpr float kFaintest = 1e-4f;  // W/m2: a lamp that can not give more is not looked for
+constexpr float kFaintestLamp = 1e-4f;  // W/m2: a lamp that can not give more is not looked for
 
 struct Search {
     const world::Level& level;
@@ -65,7 +65,7 @@ std::vector<float> open_shares(const Search& search, std::uint32_t lamp_id) {
     for (std::size_t c = 0; c < open.size(); ++c) {
         const glm::ivec3 cell = grid.cell_from_index(c);
         const float distance = distance_to_cell(grid, cell, lamp.position);
-        if (lamp.shape != world::LampShape::Sun && !(lamp_bound(lamp, distance) > kFaintest)) continue;
+        if (lamp.shape != world::LampShape::Sun && !(lamp_bound(lamp, distance) > kFaintestLamp)) continue;
         Random random(hash_u32(lamp_id, static_cast<std::uint32_t>(c)));
         rays.clear();
         for (int i = 0; i < search.rays; ++i) {

@@ -1,5 +1,7 @@
-// render/light_math.h - small sums the light set's parts have in common.
+// render/light_math.h - small sums of light and of frames that many have in common.
 #pragma once
+
+#include "base/det_math.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -7,6 +9,9 @@
 #include <glm/vec3.hpp>
 
 namespace gh::render {
+
+// Of the light that falls on it, what a white surface shows each way.
+inline constexpr float kPerPi = 1.0f / kPi;
 
 [[nodiscard]] inline float mean(const glm::vec3& c) {
     return (c.x + c.y + c.z) / 3.0f;

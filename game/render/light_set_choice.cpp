@@ -17,7 +17,7 @@ namespace gh::render {
 namespace {
 
 constexpr float kListedShare = 0.85f;  // of picks, where the lists know of lamps
-constexpr float kLeastCosine = 0.05f;
+constexpr float kLeastFacing = 0.05f;
 
 }  // namespace
 
@@ -69,7 +69,7 @@ float LightSet::listed_weight(std::uint32_t lamp, const LightQuery& query) const
     if (query.normal != glm::vec3(0.0f)) {
         const float height = glm::dot(query.normal, offset) + extent;
         if (!(height > 0.0f)) return 0.0f;
-        share = distance > 0.0f ? std::clamp(height / distance, kLeastCosine, 1.0f) : 1.0f;
+        share = distance > 0.0f ? std::clamp(height / distance, kLeastFacing, 1.0f) : 1.0f;
     }
     if (light.kind == Kind::Point) {
         const world::Lamp& own = view_.level.lamps[lamp];
@@ -79,7 +79,7 @@ float LightSet::listed_weight(std::uint32_t lamp, const LightQuery& query) const
     if (light.kind == Kind::Rect) {
         const float facing = -glm::dot(light.rect.normal, offset);
         if (!light.is_double_sided && !(facing > 0.0f)) return 0.0f;
-        share *= distance > 0.0f ? std::clamp(std::abs(facing) / distance, kLeastCosine, 1.0f) : 1.0f;
+        share *= distance > 0.0f ? std::clamp(std::abs(facing) / distance, kLeastFacing, 1.0f) : 1.0f;
     }
     return light.power * share / std::max(distance2, extent * extent);
 }

@@ -6,8 +6,6 @@
 
 namespace gh::render {
 
-inline constexpr std::uint8_t kMostPasses = 32;  // holes and sheets on one path
-
 // Dimensions of the sample sequence, at the eye.
 enum EyePurpose : std::uint32_t { kPixelDimension, kApertureDimension, kShutterDimension };
 

@@ -86,6 +86,8 @@ template <class Media>
     return sides;
 }
 
+inline constexpr std::uint8_t kMostPasses = 32;  // holes and sheets on one path
+
 struct PathRay {
     // What it does at a mirror.
     void note_mirror(const glm::vec3& normal) {

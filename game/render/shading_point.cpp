@@ -2,6 +2,7 @@
 
 #include "base/contracts.h"
 #include "base/det_math.h"
+#include "render/light_math.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -17,16 +18,12 @@ namespace {
 constexpr float kFlattestView = 0.02f;  // least cosine between a bent normal and the eye
 
 // The triangle that was hit, in the world frame where that matters.
-struct Corners {
+struct HitTriangle {
     glm::uvec3 index{0};
     std::array<float, 3> share{};        // barycentric
     glm::vec3 edge1{0.0f}, edge2{0.0f};  // world
     glm::vec2 uv{0.0f}, uv_edge1{0.0f}, uv_edge2{0.0f};
 };
-
-glm::mat3 linear_part(const glm::mat4x3& m) {
-    return glm::mat3(m[0], m[1], m[2]);
-}
 
 // Turns normals: the transpose of the inverse, but for a positive factor.
 glm::mat3 normal_matrix(const glm::mat3& m) {
@@ -40,9 +37,9 @@ glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
 }
 
 // `has_uvs`: or they are left 0.
-Corners corners_of(const SceneView& view, const world::Mesh& mesh, const rc::Hit& hit,
-                   const glm::mat3& to_world, bool has_uvs) {
-    Corners corners;
+HitTriangle corners_of(const SceneView& view, const world::Mesh& mesh, const rc::Hit& hit,
+                       const glm::mat3& to_world, bool has_uvs) {
+    HitTriangle corners;
     corners.index = mesh.triangles[hit.primitive];
     corners.share = {1.0f - hit.u - hit.v, hit.u, hit.v};
     const std::array<glm::vec3, 3> local = view.snapshot.scene->triangle(hit.instance, hit.primitive);
@@ -58,7 +55,7 @@ Corners corners_of(const SceneView& view, const world::Mesh& mesh, const rc::Hit
 }
 
 glm::vec3 smooth_normal(const SceneView& view, const world::Mesh& mesh, const rc::Hit& hit,
-                        const Corners& corners, const glm::mat3& normal_to_world,
+                        const HitTriangle& corners, const glm::mat3& normal_to_world,
                         const glm::vec3& geometric) {
     const auto& posed = view.snapshot.posed;
     const std::vector<glm::vec3>& normals = hit.instance < posed.size() && posed[hit.instance] != nullptr
@@ -72,7 +69,7 @@ glm::vec3 smooth_normal(const SceneView& view, const world::Mesh& mesh, const rc
 }
 
 // How uv changes along a world vector in the triangle's plane.
-glm::vec2 uv_along(const Corners& corners, const glm::vec3& way) {
+glm::vec2 uv_along(const HitTriangle& corners, const glm::vec3& way) {
     const glm::vec3 n = glm::cross(corners.edge1, corners.edge2);
     const float area2 = glm::dot(n, n);
     if (!(area2 > 0.0f)) return glm::vec2(0.0f);
@@ -82,7 +79,7 @@ glm::vec2 uv_along(const Corners& corners, const glm::vec3& way) {
 }
 
 // The ellipse that the ray's cone cuts out of the triangle's plane.
-Footprint footprint_of(const Corners& corners, const glm::vec3& direction, const glm::vec3& geometric,
+Footprint footprint_of(const HitTriangle& corners, const glm::vec3& direction, const glm::vec3& geometric,
                        float cone_width) {
     const float cosine = std::max(std::abs(glm::dot(direction, geometric)), 0.02f);
     const glm::vec3 slant = direction - geometric * glm::dot(direction, geometric);
@@ -98,7 +95,7 @@ Footprint footprint_of(const Corners& corners, const glm::vec3& direction, const
 struct Tangents {
     glm::vec3 tangent{0.0f}, bitangent{0.0f};
 };
-Tangents tangents_at(const world::Mesh& mesh, const Corners& corners, const glm::mat3& to_world,
+Tangents tangents_at(const world::Mesh& mesh, const HitTriangle& corners, const glm::mat3& to_world,
                      const glm::vec3& smooth) {
     glm::vec3 tangent;
     float handedness = 1.0f;
@@ -215,7 +212,7 @@ ShadingPoint shading_point(const SceneView& view, const rc::Ray& ray, const rc::
     const bool has_uvs =
         !mesh.uvs.empty() &&
         (view.prepared.has_textures[mesh.materials[hit.primitive]] != 0 || material.has_layers);
-    const Corners corners = corners_of(view, mesh, hit, to_world, has_uvs);
+    const HitTriangle corners = corners_of(view, mesh, hit, to_world, has_uvs);
     glm::vec3 normal = smooth_normal(view, mesh, hit, corners, normal_matrix(to_world), point.surface.normal);
 
     const glm::vec3 outward =
@@ -268,7 +265,7 @@ Clearness clearness(const SceneView& view, const rc::Hit& hit) {
     if (!has_holes && !(material.transmission > 0.0f)) return result;
 
     const glm::mat3 to_world = linear_part(view.snapshot.scene->instance(hit.instance).world_from_instance);
-    const Corners corners = corners_of(view, mesh, hit, to_world, !mesh.uvs.empty());
+    const HitTriangle corners = corners_of(view, mesh, hit, to_world, !mesh.uvs.empty());
     result.surface = view.snapshot.scene->surface(hit);
     const glm::vec3 smooth =
         smooth_normal(view, mesh, hit, corners, normal_matrix(to_world), result.surface.normal);

@@ -1,6 +1,7 @@
 #include "render/sheen.h"
 
 #include "base/det_math.h"
+#include "render/table_place.h"
 
 #include <glm/geometric.hpp>
 
@@ -49,24 +50,9 @@ float unscaled_albedo(float cosine, float roughness) {
     return static_cast<float>(sum * static_cast<double>(kTwoPi) / (kHeights * kTurns));
 }
 
-struct Place {
-    std::size_t cell;
-    float t;
-};
-Place place(float unit, int side) {
-    const float scaled = std::clamp(unit, 0.0f, 1.0f) * static_cast<float>(side - 1);
-    const int cell = std::min(static_cast<int>(scaled), side - 2);
-    return {static_cast<std::size_t>(cell), scaled - static_cast<float>(cell)};
+TablePlace row_of(float roughness, int rows) {
+    return place_in_table((roughness - kLeastRoughness) / (1.0f - kLeastRoughness), rows);
 }
-
-Place row_of(float roughness, int rows) {
-    return place((roughness - kLeastRoughness) / (1.0f - kLeastRoughness), rows);
-}
-
-float blend(float a, float b, float t) {
-    return a + (b - a) * t;
-}
-
 }  // namespace
 
 Sheen::Sheen() {
@@ -86,16 +72,14 @@ Sheen::Sheen() {
 }
 
 float Sheen::value(const glm::vec3& eye, const glm::vec3& light, float roughness) const {
-    const Place y = row_of(roughness, kRoughnesses);
+    const TablePlace y = row_of(roughness, kRoughnesses);
     const float scale = std::min(scale_[y.cell], scale_[y.cell + 1]);
     return scale * unscaled(eye, light, std::max(roughness, kLeastRoughness));
 }
 
 float Sheen::albedo(float cosine, float roughness) const {
-    const Place y = row_of(roughness, kRoughnesses), x = place(cosine, kCosines);
-    const float* low = albedo_.data() + y.cell * kCosines + x.cell;
-    const float* high = low + kCosines;
-    return std::min(1.0f, blend(blend(low[0], low[1], x.t), blend(high[0], high[1], x.t), y.t));
+    const TablePlace row = row_of(roughness, kRoughnesses), column = place_in_table(cosine, kCosines);
+    return std::min(1.0f, between(albedo_.data(), kCosines, row, column));
 }
 
 }  // namespace gh::render

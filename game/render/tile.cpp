@@ -14,7 +14,6 @@ namespace gh::render {
 
 namespace {
 
-constexpr std::uint8_t kMostPasses = 32;
 constexpr float kGlimmerTaps = 2.0f;
 
 }  // namespace

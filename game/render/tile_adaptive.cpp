@@ -2,6 +2,7 @@
 // differ, for more in between. The rest blend what their neighbours on the same surface found.
 #include "base/det_math.h"
 #include "render/colour.h"
+#include "render/light_math.h"
 #include "render/tile.h"
 #include "render/tile_blend.h"
 
@@ -16,7 +17,6 @@ namespace gh::render {
 
 namespace {
 
-constexpr float kPerPi = 1.0f / kPi;
 constexpr float kShineTurns = 0.995f;  // least cosine between normals where what shines counts
 constexpr float kShineCounts = 0.1f;
 

@@ -10,9 +10,9 @@ namespace gh::render {
 
 namespace {
 
-constexpr float kSameFacing = 0.9f;   // least cosine between normals
-constexpr float kSamePlane = 2.5f;    // most distance from each other's planes, in pixels' sizes
-constexpr float kLeastWeight = 0.3f;  // of the four corners around a pixel, on its own surface
+constexpr float kCornersFacing = 0.9f;  // least cosine between normals
+constexpr float kCornersPlane = 2.5f;   // most distance from each other's planes, in pixels' sizes
+constexpr float kLeastWeight = 0.3f;    // of the four corners around a pixel, on its own surface
 
 float size_of(const SeenSurface& surface) {
     const float cosine = std::max(0.05f, -glm::dot(surface.path.ray.direction, surface.at.geometric));
@@ -21,9 +21,9 @@ float size_of(const SeenSurface& surface) {
 
 bool are_one_surface(const SeenSurface& a, const SeenSurface& b) {
     if (a.at.material != b.at.material || a.path.chain != b.path.chain) return false;
-    if (glm::dot(a.at.geometric, b.at.geometric) < kSameFacing) return false;
+    if (glm::dot(a.at.geometric, b.at.geometric) < kCornersFacing) return false;
     const glm::vec3 offset = b.at.surface.position - a.at.surface.position;
-    const float reach = kSamePlane * std::max(size_of(a), size_of(b));
+    const float reach = kCornersPlane * std::max(size_of(a), size_of(b));
     return std::abs(glm::dot(offset, a.at.geometric)) < reach &&
            std::abs(glm::dot(offset, b.at.geometric)) < reach;
 }

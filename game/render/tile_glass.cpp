@@ -10,11 +10,7 @@
 
 namespace gh::render {
 
-namespace {
-
-constexpr std::uint8_t kMostPasses = 32;  // as tile.cpp has it
-
-}  // namespace
+namespace {}  // namespace
 
 void TileTracer::shade_glass(const PathRay& path, const ShadingPoint& at, FrameStats& stats) {
     if (path.depth >= frame_.settings.max_depth) return;

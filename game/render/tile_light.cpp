@@ -2,6 +2,7 @@
 // around.
 #include "base/det_math.h"
 #include "render/colour.h"
+#include "render/light_math.h"
 #include "render/tile.h"
 
 #include <glm/geometric.hpp>
@@ -13,17 +14,16 @@ namespace gh::render {
 
 namespace {
 
-constexpr float kPerPi = 1.0f / kPi;
-constexpr float kFaintest = 4e-4f;  // W/m2/sr in the picture: less than that is not worth a shadow ray
-constexpr float kNothing = 0.25f * kFaintest;  // a part of a lamp's light that is not worked out
-constexpr float kLeastCosine =
+constexpr float kFaintestSeen = 4e-4f;  // W/m2/sr in the picture: less than that is not worth a shadow ray
+constexpr float kNothing = 0.25f * kFaintestSeen;  // a part of a lamp's light that is not worked out
+constexpr float kLeastTurning =
     0.05f;  // a lamp nearer the horizon does not tell how its light turns with the normal
 
 constexpr float kAmbientOpen = 0.9f;  // of what is baked, past what stands in corners
 
 // 0 where light is too faint to matter, 1 from twice that on: nothing pops in.
 float worth(float light) {
-    return std::clamp(light / kFaintest - 1.0f, 0.0f, 1.0f);
+    return std::clamp(light / kFaintestSeen - 1.0f, 0.0f, 1.0f);
 }
 
 // Takes light away smoothly where the smooth surface still faces a lamp that its triangles turn away from, which
@@ -78,7 +78,7 @@ void TileTracer::collect_lamps(const SeenSurface& surface, SurfaceLight& out) {
         out.irradiance += irradiance;
         out.shine += shine * counts;
         const float cosine = glm::dot(to_lamp, at.normal);
-        if (cosine > kLeastCosine) out.turns += glm::outerProduct(irradiance / cosine, to_lamp);
+        if (cosine > kLeastTurning) out.turns += glm::outerProduct(irradiance / cosine, to_lamp);
     }
 }
 

@@ -12,7 +12,7 @@ namespace gh::render {
 
 namespace {
 
-constexpr float kFlat = 0.99995f;  // least cosine between normals: a mirrored ray turns twice as far
+constexpr float kSameMirror = 0.99995f;  // least cosine between normals: a mirrored ray turns twice as far
 
 }  // namespace
 
@@ -44,7 +44,8 @@ bool TileTracer::is_reflection_blended(const Corners& corners) {
     const glm::vec3 weight = here.path.weight * here.polished;
     float least = rc::kInfinity, most = 0.0f;
     for (std::size_t i = 0; i < corners.count; ++i) {
-        if (glm::dot(here.at.normal, main_.surfaces[corners.surface[i]].at.normal) < kFlat) return false;
+        if (glm::dot(here.at.normal, main_.surfaces[corners.surface[i]].at.normal) < kSameMirror)
+            return false;
         if (!(brightest(main_.surfaces[corners.surface[i]].polished) > 0.0f)) return false;
         const glm::vec3& reflection = main_.reflections[corners.surface[i]];
         const float shown = brightest(weight * reflection);

@@ -15,7 +15,7 @@ namespace gh::render {
 namespace {
 
 constexpr float kErrors = 8.0f;  // bounds on rounding that two skins may lie apart: twice where rays start
-constexpr float kSamePlane = 0.9999f;  // cosine between their normals
+constexpr float kSameNormal = 0.9999f;  // cosine between their normals
 constexpr float kLeastCosine = 0.01f;
 
 }  // namespace
@@ -33,7 +33,7 @@ Touches touches_at(const SceneView& view, const ShadingPoint& at, const glm::vec
         if (!view.prepared.parts[part].is_solid_glass) continue;
         const Clearness clear = clearness(view, hits[i]);
         if (part == at.part && clear.material == at.material) continue;
-        if (!(clear.glass > 0.0f) || std::abs(glm::dot(clear.outward, at.geometric)) < kSamePlane) continue;
+        if (!(clear.glass > 0.0f) || std::abs(glm::dot(clear.outward, at.geometric)) < kSameNormal) continue;
         const Touch touch{part, clear.material, glm::dot(direction, clear.outward) < 0.0f};
         // On an edge a skin is met twice.
         const auto known = touches.other.begin() + static_cast<std::ptrdiff_t>(touches.count);

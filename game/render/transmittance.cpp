@@ -17,7 +17,7 @@ namespace gh::render {
 
 namespace {
 
-constexpr int kMostCrossings = 24;  // leaves and panes one behind the other; then it is dark
+constexpr int kCrossingsOfARay = 24;  // leaves and panes one behind the other; then it is dark
 
 }  // namespace
 
@@ -39,7 +39,7 @@ glm::vec3 transmittance(const SceneView& view, const rc::Ray& shadow_ray) {
     const glm::vec3 direction = glm::normalize(ray.direction);
     std::uint32_t inside = rc::kNone;  // the instance of glass the ray is in
     glm::vec3 entry(0.0f);
-    for (int i = 0; i < kMostCrossings; ++i) {
+    for (int i = 0; i < kCrossingsOfARay; ++i) {
         const auto hit = rc::closest_hit(*view.snapshot.scene, ray, world::Light);
         if (!hit) return share;
         if (!view.prepared.parts[hit->instance].is_clear) return glm::vec3(0.0f);

@@ -1,6 +1,7 @@
 #include "sense/glass.h"
 
 #include "base/det_math.h"
+#include "base/vectors.h"
 #include "sense/faces.h"
 #include "world/layers.h"
 
@@ -10,10 +11,6 @@
 
 namespace gh::sense {
 namespace {
-
-float length_of(const glm::vec3& v) {
-    return std::sqrt((v.x * v.x + v.y * v.y) + v.z * v.z);
-}
 
 // What one surface leaves of the light.
 glm::vec3 surface_share(const world::Material& material, float cosine, bool is_sheet) {

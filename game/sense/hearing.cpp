@@ -1,6 +1,7 @@
 #include "sense/hearing.h"
 
 #include "base/det_math.h"
+#include "base/vectors.h"
 #include "sense/walls.h"
 
 #include <algorithm>
@@ -9,20 +10,12 @@
 namespace gh::sense {
 namespace {
 
-constexpr float kSpeedOfSound = 343.0f;                                              // m/s at 20 degrees
 constexpr std::array<float, world::kBands> kFrequency = {250.0f, 1000.0f, 4000.0f};  // Hz
 constexpr float kNearest = 0.1f;           // metres: a source is a thing with a size
 constexpr float kEdgeLoss = 5.0f;          // dB, of an edge that just touches the straight line
 constexpr float kLargestEdgeLoss = 24.0f;  // dB: more is not measured in the open
 constexpr float kEdgeMargin = 0.06f;       // metres that a bent way keeps off the box of what it passes
 constexpr float kLn10 = 2.30258509f;
-
-float length_of(const glm::vec3& v) {
-    return std::sqrt((v.x * v.x + v.y * v.y) + v.z * v.z);
-}
-float dot_of(const glm::vec3& a, const glm::vec3& b) {
-    return (a.x * b.x + a.y * b.y) + a.z * b.z;
-}
 
 float spreading_db(float metres) {
     return -20.0f * det::log10(std::max(metres, kNearest));
@@ -155,7 +148,7 @@ void offer_detour(const world::Level& level, const rc::Scene& scene, const glm::
 }  // namespace
 
 float barrier_loss_db(float extra_metres, float frequency) {
-    const float fresnel_number = 2.0f * extra_metres * frequency / kSpeedOfSound;
+    const float fresnel_number = 2.0f * extra_metres * frequency / world::kSpeedOfSound;
     const float x = std::sqrt(kTwoPi * fresnel_number);
     if (x < 1e-3f) return kEdgeLoss;  // x / tanh x is 1 within 3e-7
     const float e = det::exp(-2.0f * x);

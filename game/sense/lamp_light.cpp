@@ -2,6 +2,7 @@
 
 #include "base/contracts.h"
 #include "base/det_math.h"
+#include "base/vectors.h"
 #include "sense/glass.h"
 #include "world/layers.h"
 #include "world/lookup.h"
@@ -17,16 +18,6 @@ namespace {
 
 constexpr std::size_t kStrata = 4;  // rays to an area lamp
 constexpr std::size_t kBatch = 16;  // probes asked about at a time
-
-float dot_of(const glm::vec3& a, const glm::vec3& b) {
-    return (a.x * b.x + a.y * b.y) + a.z * b.z;
-}
-glm::vec3 cross_of(const glm::vec3& a, const glm::vec3& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-float length_of(const glm::vec3& v) {
-    return std::sqrt(dot_of(v, v));
-}
 
 // One way from a probe to a lamp, and what would come along it if nothing stood there.
 struct Beam {

@@ -1,6 +1,7 @@
 #include "sense/sight.h"
 
 #include "base/contracts.h"
+#include "base/vectors.h"
 #include "sense/exposure.h"
 #include "world/layers.h"
 
@@ -17,13 +18,6 @@ using PointFlags = std::array<std::uint8_t, kBodyPoints>;
 // A look that ends on a pane may end this share of its length before or behind it: rounding of the pane's own corners.
 // A frame that stands in front of its glass by less than that hides nothing.
 constexpr float kPaneTolerance = 1e-4f;
-
-float dot_of(const glm::vec3& a, const glm::vec3& b) {
-    return (a.x * b.x + a.y * b.y) + a.z * b.z;
-}
-float length_of(const glm::vec3& v) {
-    return std::sqrt(dot_of(v, v));
-}
 
 // Whether a look along `way` stays in the view cone; `distance` is how far the light has come by then.
 bool is_in_view(const Eye& eye, const glm::vec3& way, float distance) {

@@ -1,6 +1,7 @@
-// sim/geometry.h - lengths and flat distances, by sqrt alone (glm's normalise and length may differ between
-// versions of glm).
+// sim/geometry.h - flat distances and directions, by sqrt alone; base/vectors.h says why not by glm.
 #pragma once
+
+#include "base/vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@
 
 namespace gh::sim {
 
-[[nodiscard]] inline float length_of(const glm::vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+using gh::length_of;  // for those outside who reckon with the simulation's geometry
 
 [[nodiscard]] inline glm::vec3 flat(const glm::vec3& v) { return {v.x, 0.0f, v.z}; }
 

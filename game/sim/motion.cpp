@@ -20,7 +20,6 @@ constexpr float kShortest = 1e-6f;     // metres: less is no displacement
 constexpr float kDeepestPush = 0.1f;   // metres: a third of the radius, so that no push crosses a wall
 constexpr float kSettled = 1e-4f;      // metres: a body nearer to its floor than this is not moved: bits stay
 
-const glm::vec3 kUp{0.0f, 1.0f, 0.0f};
 
 bool is_floor(const glm::vec3& normal) { return normal.y >= kMinGroundY; }
 

@@ -21,8 +21,6 @@ constexpr float kQuietStoneSpeed = 0.25f;  // m/s: slower touches make no sound
 constexpr std::array<float, kSurfaceCount> kStepDb = {45, 42, 44, 40, 41, 49, 49, 45, 52, 25, 39, 29};
 constexpr std::array<float, kSurfaceCount> kStoneDb = {62, 58, 57, 50, 52, 66, 66, 58, 68, 25, 45, 32};  // at 1 m/s
 
-std::size_t index_of(Surface surface) { return static_cast<std::size_t>(surface); }
-
 // 20 dB for every tenfold speed.
 float db_of_ratio(float ratio) { return 20.0f * det::log10(std::max(ratio, 1e-6f)); }
 

@@ -36,8 +36,6 @@ constexpr std::array<float, kSurfaceCount> kRestitution = {0.6f,  0.5f,  0.45f, 
 constexpr std::array<float, kSurfaceCount> kFriction = {0.15f, 0.3f, 0.2f, 0.3f, 0.3f, 0.1f,
                                                         0.1f,  0.2f, 0.2f, 0.6f, 0.4f, 0.6f};
 
-std::size_t index_of(Surface surface) { return static_cast<std::size_t>(surface); }
-
 // When a body `gap` above a plane, moving at `speed` away from it under `pull` away from it, comes down to it.
 std::optional<float> time_to_plane(float gap, float speed, float pull) {
     const float root_square = speed * speed - 2.0f * pull * gap;

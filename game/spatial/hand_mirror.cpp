@@ -2,6 +2,7 @@
 
 #include "base/contracts.h"
 #include "base/det_math.h"
+#include "base/vectors.h"
 #include "spatial/transforms.h"
 #include "world/eye.h"
 
@@ -18,16 +19,8 @@ constexpr float kBelow = 0.05f;
 constexpr float kPutAway = 0.50f;      // metres below that, put away
 constexpr float kOverShoulder = 0.3f;  // radians from straight behind, over the right shoulder
 
-float dot_of(const glm::vec3& a, const glm::vec3& b) {
-    return (a.x * b.x + a.y * b.y) + a.z * b.z;
-}
-
-glm::vec3 cross_of(const glm::vec3& a, const glm::vec3& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 glm::vec3 unit_of(const glm::vec3& v) {
-    return v / std::sqrt(dot_of(v, v));
+    return v / length_of(v);
 }
 
 // Right, up and facing, as columns: facing is kept, up as far up as that allows. Not for a mirror flat on its back.

@@ -1,6 +1,7 @@
 #include "spatial/pose.h"
 
 #include "base/contracts.h"
+#include "base/vectors.h"
 #include "spatial/transforms.h"
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 namespace gh::spatial {
 namespace {
 
-const glm::vec3 kUp(0.0f, 1.0f, 0.0f);
 const glm::vec3 kForward(0.0f, 0.0f, -1.0f);
 const glm::vec3 kEyeFromHead(0.0f, 0.1f, -0.1f);  // from the head joint, at the top of the neck, to the eyes
 constexpr glm::vec3 kEyeWithoutHead(0.0f, 1.66f, 0.0f);  // of a grown man

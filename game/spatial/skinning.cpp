@@ -1,15 +1,12 @@
 #include "spatial/skinning.h"
 
 #include "base/contracts.h"
+#include "base/vectors.h"
 
 #include <cmath>
 
 namespace gh::spatial {
 namespace {
-
-glm::vec3 cross_of(const glm::vec3& a, const glm::vec3& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 // Weighted sum of the four matrices that own a vertex, in their written order.
 glm::mat4x3 blend(std::span<const glm::mat4x3> skin, const glm::u16vec4& joints, const glm::vec4& weights) {
@@ -26,7 +23,7 @@ glm::mat4x3 blend(std::span<const glm::mat4x3> skin, const glm::u16vec4& joints,
 glm::vec3 normal_through(const glm::mat4x3& m, const glm::vec3& n) {
     const glm::vec3 carried =
         (cross_of(m[1], m[2]) * n.x + cross_of(m[2], m[0]) * n.y) + cross_of(m[0], m[1]) * n.z;
-    const float squared = (carried.x * carried.x + carried.y * carried.y) + carried.z * carried.z;
+    const float squared = dot_of(carried, carried);
     return squared > 0.0f ? carried / std::sqrt(squared) : n;
 }
 

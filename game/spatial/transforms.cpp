@@ -2,22 +2,13 @@
 
 #include "base/contracts.h"
 #include "base/det_math.h"
+#include "base/vectors.h"
 #include "spatial/hand_mirror.h"
 
 #include <cmath>
 
 namespace gh::spatial {
 namespace {
-
-const glm::vec3 kUp(0.0f, 1.0f, 0.0f);
-
-glm::vec3 cross_of(const glm::vec3& a, const glm::vec3& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-float dot_of(const glm::vec3& a, const glm::vec3& b) {
-    return (a.x * b.x + a.y * b.y) + a.z * b.z;
-}
 
 // Hamilton product, written out: the order of the sums is part of the answer.
 glm::quat after(const glm::quat& a, const glm::quat& b) {

@@ -31,6 +31,13 @@ struct Acoustics {
     std::array<float, kBands> transmission_loss_db;  // of a sound that crosses one wall of it
 };
 
+inline constexpr float kSpeedOfSound = 343.0f;  // m/s, in air of 20 degrees
+
+// Where a table with one entry a surface has this one's.
+[[nodiscard]] constexpr std::size_t index_of(Surface surface) {
+    return static_cast<std::size_t>(surface);
+}
+
 [[nodiscard]] std::string_view surface_name(Surface surface);  // "marble", ...
 [[nodiscard]] std::optional<Surface> surface_from_name(std::string_view name);
 [[nodiscard]] const Acoustics& acoustics(Surface surface);

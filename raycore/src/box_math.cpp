@@ -114,11 +114,6 @@ bool offer_all(WayOut& way, const Corners& c, double touch) {
     return true;
 }
 
-bool is_finite(const glm::vec3& v) {
-    constexpr float kMax = std::numeric_limits<float>::max();
-    return std::abs(v.x) <= kMax && std::abs(v.y) <= kMax && std::abs(v.z) <= kMax;
-}
-
 // Gram and Schmidt: the first axis keeps its direction, the second its plane.
 bool make_orthonormal(const glm::mat3& axes, std::array<glm::dvec3, 3>& out) {
     for (std::size_t i = 0; i < 3; ++i) {

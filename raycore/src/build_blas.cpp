@@ -17,8 +17,6 @@ namespace rc {
 
 namespace {
 
-constexpr float kInf = std::numeric_limits<float>::infinity();
-
 BinaryTree binary_tree_of(Unfilled<BuildRef> refs, const MeshView& mesh, BuildQuality quality) {
     switch (quality) {
         case BuildQuality::Fast:
@@ -53,7 +51,7 @@ std::shared_ptr<Blas> build_blas(const MeshView& mesh, const BuildOptions& optio
     data->vertex_count = view.positions.size();
     data->can_refit = options.can_refit;
     data->leaf_of_primitive.assign(view.triangles.size(), kNone);
-    data->bounds = {glm::vec3(kInf), glm::vec3(-kInf)};
+    data->bounds = {glm::vec3(kInfinity), glm::vec3(-kInfinity)};
     grow_tree(*data, view, options.quality);
     data->cost = data->cost_when_built = cost_of(*data);
     return std::make_shared<Blas>(std::move(data));

@@ -10,10 +10,6 @@ namespace rc::cast {
 
 namespace {
 
-double square(const glm::dvec3& v) {
-    return glm::dot(v, v);
-}
-
 // Where `point` projects into the triangle, as the shares of its two edges from corner 0; false when outside.
 bool projects_inside(const glm::dvec3& point, const Corners& c, const glm::dvec3& cross, glm::dvec3& foot) {
     const glm::dvec3 e1 = c[1] - c[0], e2 = c[2] - c[0], p = point - c[0];

@@ -14,10 +14,6 @@ namespace {
 // sees.
 constexpr double kBeyond = 1e-12;
 
-double square(const glm::dvec3& v) {
-    return glm::dot(v, v);
-}
-
 bool is_share(double x) {
     return x >= -kBeyond && x <= 1.0 + kBeyond;
 }

@@ -13,12 +13,24 @@
 //           up.
 #pragma once
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 namespace rc::cast {
+
+[[nodiscard]] inline double square(const glm::dvec3& v) {
+    return glm::dot(v, v);
+}
+
+[[nodiscard]] inline bool is_finite(const glm::vec3& v) {
+    constexpr float kMax = std::numeric_limits<float>::max();
+    return std::abs(v.x) <= kMax && std::abs(v.y) <= kMax && std::abs(v.z) <= kMax;
+}
 
 struct Body {
     glm::dvec3 axis{0.0};  // zero: a ball

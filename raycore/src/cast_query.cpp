@@ -14,10 +14,6 @@ namespace {
 
 constexpr float kFloatMax = std::numeric_limits<float>::max();
 
-bool is_finite(const glm::vec3& v) {
-    return std::abs(v.x) <= kFloatMax && std::abs(v.y) <= kFloatMax && std::abs(v.z) <= kFloatMax;
-}
-
 double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }

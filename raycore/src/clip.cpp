@@ -3,6 +3,8 @@
 #include "collect_refs.h"
 #include "tree_math.h"
 
+#include "raycore/ray.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,11 +12,9 @@ namespace rc::build {
 
 namespace {
 
-constexpr float kInf = std::numeric_limits<float>::infinity();
-
 float rounded_up(double x) {
     const auto f = float(x);
-    return double(f) < x ? std::nextafter(f, kInf) : f;
+    return double(f) < x ? std::nextafter(f, kInfinity) : f;
 }
 
 // Grows `box` by every point within `error` of x on one axis.

@@ -11,7 +11,7 @@ namespace rc {
 
 namespace {
 
-constexpr std::size_t kBlock = 8192;
+constexpr std::size_t kTrianglesAtATime = 8192;
 
 // Grows `bounds` by the triangle as well.
 BuildRef ref_around(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, std::size_t item,
@@ -49,10 +49,10 @@ CollectedRefs collect_refs(const MeshView& mesh, MeshReport& report) {
     CollectedRefs collected{Unfilled<BuildRef>(n), build::kNoBox};
     Unfilled<BuildRef>& refs = collected.refs;
     // Each block fills its own part of `refs` from the front.
-    std::vector<MeshReport> reports((n + kBlock - 1) / kBlock);
+    std::vector<MeshReport> reports((n + kTrianglesAtATime - 1) / kTrianglesAtATime);
     std::vector<GrowingBox> bounds(reports.size(), build::kNoBox);
     for_in_parallel(reports.size(), [&](std::size_t block) {
-        const std::size_t begin = block * kBlock, end = std::min(begin + kBlock, n);
+        const std::size_t begin = block * kTrianglesAtATime, end = std::min(begin + kTrianglesAtATime, n);
         std::size_t kept = begin;
         for (std::size_t i = begin; i < end; ++i) {
             const glm::uvec3& t = mesh.triangles[i];
@@ -68,8 +68,9 @@ CollectedRefs collect_refs(const MeshView& mesh, MeshReport& report) {
     std::size_t kept = 0;
     for (std::size_t block = 0; block < reports.size(); ++block) {
         const MeshReport& part = reports[block];
-        if (kept != block * kBlock)
-            std::move(&refs[block * kBlock], &refs[block * kBlock] + part.kept(), &refs[kept]);
+        if (kept != block * kTrianglesAtATime)
+            std::move(&refs[block * kTrianglesAtATime], &refs[block * kTrianglesAtATime] + part.kept(),
+                      &refs[kept]);
         kept += part.kept();
         build::grow(collected.bounds, bounds[block]);
         report.triangles += part.triangles;

@@ -16,7 +16,7 @@ namespace {
 using build::Range;
 
 constexpr std::size_t kParallelSubtree = 4096;
-constexpr std::size_t kBlock = 16384;
+constexpr std::size_t kCodesAtATime = 16384;
 constexpr std::size_t kCutByCost = kernel::kFewRefs;  // ranges of so few refs; larger ones follow the curve
 constexpr int kBitsOfIndex = 28;                      // kMaxTriangles needs no more
 constexpr int kBitsOfAxis = 12;
@@ -49,7 +49,7 @@ class MortonBuilder {
   private:
     template <class Body>
     static void for_blocks(std::size_t n, const Body& body) {
-        for_in_parallel(BlockedRange(0, n, kBlock), [&](const auto& block) {
+        for_in_parallel(BlockedRange(0, n, kCodesAtATime), [&](const auto& block) {
             for (std::size_t i = block.begin(); i < block.end(); ++i) body(i);
         });
     }

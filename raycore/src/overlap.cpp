@@ -11,7 +11,7 @@ namespace rc {
 namespace {
 
 // Deepest first; equal depth: lower instance, then lower primitive.
-bool comes_first(const CastHit& a, const CastHit& b) {
+bool is_deeper(const CastHit& a, const CastHit& b) {
     if (a.depth != b.depth) return a.depth > b.depth;
     if (a.instance != b.instance) return a.instance < b.instance;
     return a.primitive < b.primitive;
@@ -26,7 +26,7 @@ bool is_same_triangle(const CastHit& a, const CastHit& b) {
 std::size_t insert(const CastHit& hit, std::span<CastHit> out, std::size_t count) {
     const auto end = out.begin() + static_cast<std::ptrdiff_t>(count);
     // The same triangle comes with the same depth, so it would stand here; trees may show it twice.
-    const auto at = std::lower_bound(out.begin(), end, hit, comes_first);
+    const auto at = std::lower_bound(out.begin(), end, hit, is_deeper);
     if (at == out.end() || (at != end && is_same_triangle(*at, hit))) return count;
     const std::size_t new_count = std::min(count + 1, out.size());
     std::move_backward(at, out.begin() + static_cast<std::ptrdiff_t>(new_count) - 1,

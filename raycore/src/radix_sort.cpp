@@ -12,16 +12,16 @@ namespace {
 
 constexpr int kBits = 12;
 constexpr std::size_t kBuckets = std::size_t{1} << kBits;
-constexpr std::size_t kBlock = 65536;  // keys one thread takes at a time
+constexpr std::size_t kKeysAtATime = 65536;  // keys one thread takes at a time
 
 using Histogram = std::array<std::uint32_t, kBuckets>;
 
 void sort_by(std::span<const std::uint64_t> from, std::span<std::uint64_t> to, int lowest) {
     const auto bucket = [&](std::uint64_t key) { return key >> lowest & (kBuckets - 1); };
-    std::vector<Histogram> blocks((from.size() + kBlock - 1) / kBlock);
+    std::vector<Histogram> blocks((from.size() + kKeysAtATime - 1) / kKeysAtATime);
     const auto for_blocks = [&](const auto& body) {
         for_in_parallel(blocks.size(), [&](std::size_t b) {
-            body(blocks[b], b * kBlock, std::min(from.size(), (b + 1) * kBlock));
+            body(blocks[b], b * kKeysAtATime, std::min(from.size(), (b + 1) * kKeysAtATime));
         });
     };
     for_blocks([&](Histogram& counts, std::size_t begin, std::size_t end) {

@@ -13,7 +13,7 @@ namespace rc::build {
 namespace {
 
 constexpr std::size_t kParallelRange = 65536;  // above it several threads bin and partition one range
-constexpr std::size_t kBlock = 16384;          // what they take at a time, however many there are
+constexpr std::size_t kRefsAtATime = 16384;    // what they take at a time, however many there are
 
 }  // namespace
 
@@ -22,7 +22,7 @@ RangeCutter::RangeCutter(std::span<BuildRef> refs, const SplitCosts& costs)
 
 Range RangeCutter::whole(std::size_t n) const {
     return sum_in_parallel(
-        BlockedRange(0, n, kBlock), Range{0, n, kNoBox, kNoBox},
+        BlockedRange(0, n, kRefsAtATime), Range{0, n, kNoBox, kNoBox},
         [&](const auto& part, Range sum) {
             kernels_.measure(refs_ + part.begin(), part.size(), sum.boxes, sum.centres);
             return sum;
@@ -72,7 +72,7 @@ ObjectSplit RangeCutter::object_split(const Range& range) const {
             kernels_.bin(refs_ + range.begin, range.size(), grid, bins);
         } else {
             bins = sum_in_parallel(
-                BlockedRange(range.begin, range.end, kBlock), bins,
+                BlockedRange(range.begin, range.end, kRefsAtATime), bins,
                 [&](const auto& part, kernel::Bins sum) {
                     kernels_.bin(refs_ + part.begin(), part.size(), grid, sum);
                     return sum;
@@ -137,9 +137,10 @@ std::size_t RangeCutter::partition(const Range& range, const ObjectSplit& split)
     };
     if (range.size() < kParallelRange) return sort(range.begin, range.end);
 
-    std::vector<Run> lefts((range.size() + kBlock - 1) / kBlock), rights(lefts.size());
+    std::vector<Run> lefts((range.size() + kRefsAtATime - 1) / kRefsAtATime), rights(lefts.size());
     for_in_parallel(lefts.size(), [&](std::size_t b) {
-        const std::size_t begin = range.begin + b * kBlock, end = std::min(begin + kBlock, range.end);
+        const std::size_t begin = range.begin + b * kRefsAtATime,
+                          end = std::min(begin + kRefsAtATime, range.end);
         const std::size_t middle = sort(begin, end);
         lefts[b] = {begin, middle};
         rights[b] = {middle, end};

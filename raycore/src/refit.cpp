@@ -12,7 +12,6 @@ namespace rc {
 
 namespace {
 
-constexpr float kInf = std::numeric_limits<float>::infinity();
 // A node with this many nodes below it is fitted by several threads.
 constexpr std::uint32_t kParallelNodes = 256;
 constexpr std::size_t kCostBlock = 1024;
@@ -103,7 +102,7 @@ class Fitting {
 }  // namespace
 
 Box box_of(const GrowingBox& box) {
-    Box out{glm::vec3(kInf), glm::vec3(-kInf)};
+    Box out{glm::vec3(kInfinity), glm::vec3(-kInfinity)};
     if (!(-box.neg_min[0] <= box.max[0])) return out;
     for (int a = 0; a < 3; ++a) {
         out.min[static_cast<std::size_t>(a)] = 0.0f - box.neg_min[a];

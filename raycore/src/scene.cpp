@@ -17,8 +17,6 @@ namespace rc {
 
 namespace {
 
-constexpr float kInf = std::numeric_limits<float>::infinity();
-
 BuildRef ref_of(const Box& box, std::uint32_t id) {
     BuildRef ref{};
     for (std::size_t a = 0; a < 3; ++a) {
@@ -97,7 +95,7 @@ std::shared_ptr<const Scene> SceneBuilder::commit() const {
     auto scene = std::make_unique<Scene::Data>();
     scene->instances = instances_;
     scene->views.resize(instances_.size());
-    scene->bounds = {glm::vec3(kInf), glm::vec3(-kInf)};
+    scene->bounds = {glm::vec3(kInfinity), glm::vec3(-kInfinity)};
 
     std::vector<BuildRef> refs = place_instances(*scene);
     if (!refs.empty()) {

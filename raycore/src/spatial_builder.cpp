@@ -18,7 +18,7 @@ using kernel::SlabGrid;
 using kernel::Split;
 
 constexpr std::size_t kParallelRange = 65536;
-constexpr std::size_t kBlock = 16384;
+constexpr std::size_t kPiecesAtATime = 16384;
 // Planes are tried where the best halves' boxes overlap by more than these shares of the root's surface and of their
 // own range's. Lower shares cost time and gain nothing: 1e-5 alone doubles the build for the same cost of rays.
 constexpr float kOverlapOfRoot = 1e-4f;
@@ -139,7 +139,7 @@ class SpatialBuilder {
             bin(range.begin, range.end, bins);
         } else {
             bins = sum_in_parallel(
-                BlockedRange(range.begin, range.end, kBlock), bins,
+                BlockedRange(range.begin, range.end, kPiecesAtATime), bins,
                 [&](const auto& part, SlabBins sum) {
                     bin(part.begin(), part.end(), sum);
                     return sum;

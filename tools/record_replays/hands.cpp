@@ -16,8 +16,8 @@ namespace {
 using input::Button;
 using input::Command;
 
-constexpr float kTurnShare = 0.16f;  // of what is left to turn, a tick: a hand on a mouse
-constexpr float kMostTurn = 0.09f;   // radians a tick
+constexpr float kTurnShare = 0.16f;     // of what is left to turn, a tick: a hand on a mouse
+constexpr float kMostHandTurn = 0.09f;  // radians a tick
 
 }  // namespace
 
@@ -26,8 +26,9 @@ Command turned_towards(const world::PlayerState& player, const glm::vec3& way) {
     const float pitch = world::radians_from_turn(player.pitch);
     const float left = wrap_angle(world::yaw_towards(way) - yaw);
     const float up = det::atan2(way.y, sim::flat_length(way)) - pitch;
-    return {.yaw = input::quantise_yaw(yaw + std::clamp(left * kTurnShare, -kMostTurn, kMostTurn)),
-            .pitch = input::quantise_pitch(pitch + std::clamp(up * kTurnShare, -kMostTurn, kMostTurn))};
+    return {
+        .yaw = input::quantise_yaw(yaw + std::clamp(left * kTurnShare, -kMostHandTurn, kMostHandTurn)),
+        .pitch = input::quantise_pitch(pitch + std::clamp(up * kTurnShare, -kMostHandTurn, kMostHandTurn))};
 }
 
 float alignment(const world::PlayerState& player, const glm::vec3& way) {

@@ -12,7 +12,7 @@ constexpr int kWaitTicks = 120;            // one more of these is waited at a t
 constexpr int kMostWaits = 30;             // a guard's round
 constexpr int kMostTicks = 24'000;         // tried in one attempt: a manner that takes more thought is given up
 constexpr int kMostErrandTicks = 60 * 90;  // nothing is further away than that
-constexpr int kStuckTicks = 240;
+constexpr int kStuckPlanTicks = 240;
 constexpr int kArrestTicks = 60 * 180;
 
 // How much of the job is done: whatever changes it is the end of an errand.
@@ -82,7 +82,7 @@ class Search {
         for (int i = 0; i < kMostErrandTicks; ++i) {
             if (!go_on(Move::Walk, 1)) return false;
             if (progress(level_, simulation_.state()) > before) return true;
-            if (i % kStuckTicks != kStuckTicks - 1) continue;
+            if (i % kStuckPlanTicks != kStuckPlanTicks - 1) continue;
             const glm::vec3 is_at = simulation_.state().player.position;
             if (sim::length_of(is_at - was_at) < 0.1f) return false;  // an open leaf is in the way
             was_at = is_at;

@@ -24,7 +24,7 @@ using input::Command;
 using sim::flat;
 using sim::flat_length;
 
-constexpr float kArrived = 0.16f;      // metres from a place to stand
+constexpr float kThere = 0.16f;      // metres from a place to stand
 constexpr float kArmsLength = 1.35f;   // metres from the eye at which a thing is comfortably reached
 constexpr float kFarthestShelter = 12.0f;  // metres
 constexpr float kErrandDetour = 14.0f;  // metres a thief goes out of the way to put out a lamp
@@ -192,7 +192,7 @@ Command Thief::hide(const world::Snapshot& now, const glm::vec3& goal) const {
         best = metres;
         shelter = place;
     }
-    if (flat_length(shelter - player.position) > 2.0f * kArrived) return go(now, shelter);
+    if (flat_length(shelter - player.position) > 2.0f * kThere) return go(now, shelter);
     return {.yaw = player.yaw, .pitch = player.pitch, .buttons = Button::Crouch};
 }
 
@@ -250,7 +250,7 @@ Command Thief::steal(const world::Snapshot& now, const Manner& manner) const {
     const world::PlayerState& player = now.state.player;
     const Goal goal = goal_of(now, manner);
     if (manner.move == Move::Hide) return hide(now, goal.place);
-    const bool is_there = flat_length(goal.place - player.position) < kArrived;
+    const bool is_there = flat_length(goal.place - player.position) < kThere;
     const bool is_in_reach = goal.is_thing && sim::length_of(goal.thing - world::eye_of(player)) < kArmsLength &&
                              is_seen_from(now, player.position, goal.thing);
     if (goal.is_thing && (is_there || is_in_reach)) return handle_thing(now, goal.thing);

@@ -10,7 +10,7 @@ namespace speed_error {
 
 namespace {
 
-constexpr double kWidth = 760, kHeight = 420, kLeft = 70, kRight = 240, kTop = 15, kBottom = 45;
+constexpr double kPlotWidth = 760, kPlotHeight = 420, kLeft = 70, kRight = 240, kTop = 15, kBottom = 45;
 constexpr std::array<const char*, 14> kColors = {"#c0392b", "#2471a3", "#1e8449", "#b7950b", "#7d3c98",
                                                  "#ba4a00", "#117a65", "#566573", "#ec7063", "#5dade2",
                                                  "#58d68d", "#17202a", "#d4ac0d", "#a569bd"};
@@ -41,31 +41,32 @@ std::string plot(const std::vector<Line>& lines, const std::string& x_title, con
         }
     }
     if (!(x_axis.high > x_axis.low) || !(y_axis.high > y_axis.low)) return "<p>Nothing to plot.</p>";
-    const auto x_at = [&](double x) { return kLeft + x_axis.share(x) * (kWidth - kLeft - kRight); };
+    const auto x_at = [&](double x) { return kLeft + x_axis.share(x) * (kPlotWidth - kLeft - kRight); };
     const auto y_at = [&](double y) {
-        return kHeight - kBottom - y_axis.share(y) * (kHeight - kTop - kBottom);
+        return kPlotHeight - kBottom - y_axis.share(y) * (kPlotHeight - kTop - kBottom);
     };
 
     std::string svg = fmt::format(
         "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {0} {1}' width='{0}' height='{1}' "
         "font-family='sans-serif' font-size='11'>\n",
-        kWidth, kHeight);
+        kPlotWidth, kPlotHeight);
     for (double x = x_axis.low; x <= x_axis.high * 1.01; x *= 10.0) {
         svg += fmt::format(
             "<line x1='{0:.1f}' x2='{0:.1f}' y1='{1}' y2='{2}' stroke='#ddd'/>"
             "<text x='{0:.1f}' y='{3}' text-anchor='middle'>{4:g}</text>\n",
-            x_at(x), kTop, kHeight - kBottom, kHeight - kBottom + 15, x);
+            x_at(x), kTop, kPlotHeight - kBottom, kPlotHeight - kBottom + 15, x);
     }
     for (double y = y_axis.low; y <= y_axis.high * 1.01; y *= 10.0) {
         svg += fmt::format(
             "<line x1='{0}' x2='{1}' y1='{2:.1f}' y2='{2:.1f}' stroke='#ddd'/>"
             "<text x='{3}' y='{4:.1f}' text-anchor='end'>{5:g}</text>\n",
-            kLeft, kWidth - kRight, y_at(y), kLeft - 6, y_at(y) + 4, y);
+            kLeft, kPlotWidth - kRight, y_at(y), kLeft - 6, y_at(y) + 4, y);
     }
     svg += fmt::format(
         "<text x='{}' y='{}' text-anchor='middle'>{}</text><text x='12' y='{}' transform='rotate(-90 12 {})' "
         "text-anchor='middle'>{}</text>\n",
-        0.5 * (kLeft + kWidth - kRight), kHeight - 8, x_title, 0.5 * kHeight, 0.5 * kHeight, y_title);
+        0.5 * (kLeft + kPlotWidth - kRight), kPlotHeight - 8, x_title, 0.5 * kPlotHeight, 0.5 * kPlotHeight,
+        y_title);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const char* color = kColors[i % kColors.size()];
         std::string path;
@@ -77,7 +78,7 @@ std::string plot(const std::vector<Line>& lines, const std::string& x_title, con
         }
         svg +=
             fmt::format("<polyline points='{}' fill='none' stroke='{}' stroke-width='1.5'/>\n", path, color);
-        svg += fmt::format("<text x='{}' y='{}' fill='{}'>{}</text>\n", kWidth - kRight + 12,
+        svg += fmt::format("<text x='{}' y='{}' fill='{}'>{}</text>\n", kPlotWidth - kRight + 12,
                            kTop + 14 + 16 * static_cast<double>(i), color, lines[i].name);
     }
     return svg + "</svg>\n";
