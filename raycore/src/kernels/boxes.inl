@@ -64,10 +64,11 @@ static inline int start_stack(Stack& stack, std::uint32_t item) {
     return empty_stack(stack) + 1;
 }
 
-// The next item that may hold something nearer than s_max.
+// The next item that may hold something nearer than s_max. Any-hit walks keep no distances: their s_max never shrinks.
+template <bool kIsAny>
 static inline std::uint32_t pop(const Stack& stack, int& top, float s_max) {
     do --top;
-    while (stack.near[top] > s_max);
+    while (!kIsAny && stack.near[top] > s_max);
     return stack.item[top];
 }
 

@@ -22,6 +22,7 @@ class Packet {
           groups_((n + kWidth - 1) / kWidth),
           layers_(layers),
           counts_(counts) {
+        if (n % kWidth == 0) return;
         for (int i = groups_ * kWidth - kWidth; i < groups_ * kWidth; ++i)
             last_[i & (kWidth - 1)] = in_[i < n ? i : n - 1];
     }
@@ -59,22 +60,38 @@ class Packet {
         return start_together(rays, tree) ? kFewClosest : kPacketRays;
     }
 
-    void begin_lanes() {
-        for (int at = 0; at < n_; at += kWidth) {
-            const EightRays rays = eight(at);
-            lanes_.begin(at, rays.t_min, min(rays.t_max, splat(kLargest)));
-        }
+    void begin_skips() {
         for (int i = 0; i < n_; ++i) skips_any_ |= in_[i].skip_instance != kNobody;
         for (std::uint32_t& skip : instance_.skip) skip = kEmptyTree;
+    }
+    // A group as it is asked, with finite limits; which of it may walk in company is said first.
+    EightRays begin_group(int at, std::uint32_t& fit) {
+        EightRays rays = eight(at);
+        fit = fit_bits(rays) & (at + kWidth <= n_ ? 0xFFu : (1u << (n_ - at)) - 1);
+        rays.t_max = min(rays.t_max, splat(kLargest));
+        lanes_.begin(at, rays.t_min, rays.t_max);
+        return rays;
     }
 
     bool ask_instance() {
         const std::uint32_t id = scene_.root & ~kLeafBit;
         const InstanceView& instance = scene_.instances[id];
         if ((instance.layers & layers_) == 0 || (instance.blas.root & kLeafBit) != 0) return false;
-        begin_lanes();
-        enter(instance, ~std::uint64_t{0} >> (kPacketRays - n_), {instance.blas.min, instance.blas.max},
-              outer_);
+        begin_skips();
+        const TreeBounds tree{instance.blas.min, instance.blas.max};
+        LaneHulls hulls;
+        begin_aim(outer_, groups_);
+        for (int at = 0; at < n_; at += kWidth) {
+            std::uint32_t fit;
+            EightRays rays = begin_group(at, fit);
+            if (!instance.is_identity) {
+                to_local(instance.local_from_world, rays);
+                fit &= fit_bits(rays);
+            }
+            aim_eight(outer_, at, rays, fit, tree, {true, 0.0f}, hulls);
+        }
+        finish_aim(outer_, groups_, tree, hulls);
+        outer_.few = few(outer_, tree);
         if (__builtin_popcountll(outer_.fit) < kLeastPacket) return false;
         alive_ = outer_.fit;
         walk_inside(id, outer_, alive_);
@@ -82,7 +99,7 @@ class Packet {
     }
 
     bool ask_instances() {
-        begin_lanes();
+        begin_skips();
         float farthest = 0.0f;
         for (int i = 0; i < n_; ++i)
             for (int a = 0; a < 3; ++a) farthest = larger(farthest, absolute(in_[i].origin[a]));
@@ -90,9 +107,8 @@ class Packet {
         LaneHulls hulls;
         begin_aim(outer_, groups_);
         for (int at = 0; at < n_; at += kWidth) {
-            EightRays rays = eight(at);
-            const std::uint32_t fit = fit_bits(rays) & lanes_in(at);
-            rays.t_max = load(lanes_.t_limit + at);
+            std::uint32_t fit;
+            const EightRays rays = begin_group(at, fit);
             aim_eight(outer_, at, rays, fit, bounds, {false, farthest * scene_.condition * 0x1p-20f}, hulls);
         }
         finish_aim(outer_, groups_, bounds, hulls);
@@ -105,8 +121,6 @@ class Packet {
             [](std::uint32_t, float, std::uint64_t) { return false; });
         return true;
     }
-
-    std::uint32_t lanes_in(int at) const { return at + kWidth <= n_ ? 0xFFu : (1u << (n_ - at)) - 1; }
 
     // Rays `asked`, made ready for a tree in the instance's frame.
     void enter(const InstanceView& instance, std::uint64_t asked, const TreeBounds& tree, PacketRays& rays) {

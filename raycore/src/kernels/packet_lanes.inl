@@ -64,18 +64,24 @@ struct ClosestLanes {
         weight2[i] = sink.best.weight2;
         weight_sum[i] = sink.best.weight_sum;
     }
-    // Eight divisions at a time.
+    // The answers of a group's rays in `which`, eight divisions at a time.
     template <class Answers>
     void write(const Answers& answers, std::uint64_t first, int at, std::uint64_t which) const {
-        alignas(32) float u[kWidth], v[kWidth];
-        store(u, narrow(load(weight1 + at) / load(weight_sum + at)));
-        store(v, narrow(load(weight2 + at) / load(weight_sum + at)));
-        for (std::uint32_t left = std::uint32_t(which >> at) & 0xFFu; left != 0; left &= left - 1) {
-            const int lane = __builtin_ctz(left), i = at + lane;
-            const bool miss = primitive[i] == kNobody;
-            answers.hits[first + std::uint64_t(i)] =
-                miss ? HitOut{__builtin_inff(), 0.0f, 0.0f, kNobody, kNobody}
-                     : HitOut{t_limit[i], u[lane], v[lane], primitive[i], instance[i]};
+        const std::uint32_t bits = std::uint32_t(which >> at) & 0xFFu;
+        const Words ids = load(primitive + at);
+        const Lanes miss = lanes_of(equal_bits(ids, splat(kNobody)));
+        const Float zero = splat(0.0f);
+        const Float t = where(miss, splat(__builtin_inff()), load(t_limit + at));
+        const Float u = where(miss, zero, narrow(load(weight1 + at) / load(weight_sum + at)));
+        const Float v = where(miss, zero, narrow(load(weight2 + at) / load(weight_sum + at)));
+        HitOut some[kWidth];
+        HitOut* out = bits == 0xFF ? answers.hits + first + std::uint64_t(at) : some;
+        store_turned(out, sizeof(HitOut), t, u, v, as_floats(ids));
+        for (int i = 0; i < kWidth; ++i) out[i].instance = instance[at + i];
+        if (bits == 0xFF) return;
+        for (std::uint32_t left = bits; left != 0; left &= left - 1) {
+            const int i = __builtin_ctz(left);
+            answers.hits[first + std::uint64_t(at + i)] = some[i];
         }
     }
 };

@@ -59,6 +59,10 @@ struct Words {
 static inline Words load(const std::uint32_t* p) {
     return {_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p))};
 }
+// Eight words as the floats of the same bits.
+static inline Float as_floats(Words a) {
+    return {_mm256_castsi256_ps(a.v)};
+}
 // The bits of eight floats.
 static inline Words words_at(const float* p) {
     return {_mm256_castps_si256(_mm256_loadu_ps(p))};
@@ -100,6 +104,21 @@ static inline void load_turned(const void* first, std::uint64_t step, Float out[
     for (int i = 0; i < 4; ++i) {
         out[i].v = _mm256_permute2f128_ps(fours[i], fours[i + 4], 0x20);
         out[i + 4].v = _mm256_permute2f128_ps(fours[i], fours[i + 4], 0x31);
+    }
+}
+// The other way: the i-th lanes of four vectors become block i, sixteen bytes of every `step`.
+static inline void store_turned(void* first, std::uint64_t step, Float a, Float b, Float c, Float d) {
+    char* at = static_cast<char*>(first);
+    const __m256 ab_low = _mm256_unpacklo_ps(a.v, b.v), ab_high = _mm256_unpackhi_ps(a.v, b.v);
+    const __m256 cd_low = _mm256_unpacklo_ps(c.v, d.v), cd_high = _mm256_unpackhi_ps(c.v, d.v);
+    const __m256 block[4] = {_mm256_shuffle_ps(ab_low, cd_low, 0x44), _mm256_shuffle_ps(ab_low, cd_low, 0xEE),
+                             _mm256_shuffle_ps(ab_high, cd_high, 0x44),
+                             _mm256_shuffle_ps(ab_high, cd_high, 0xEE)};
+    for (std::uint64_t i = 0; i < 4; ++i) {
+        float* low = static_cast<float*>(static_cast<void*>(at + step * i));
+        float* high = static_cast<float*>(static_cast<void*>(at + step * (i + 4)));
+        _mm_storeu_ps(low, _mm256_castps256_ps128(block[i]));
+        _mm_storeu_ps(high, _mm256_extractf128_ps(block[i], 1));
     }
 }
 

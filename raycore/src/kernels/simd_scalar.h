@@ -81,6 +81,12 @@ static inline Words load(const std::uint32_t* p) {
     for (int i = 0; i < 8; ++i) r.lane[i] = p[i];
     return r;
 }
+// Eight words as the floats of the same bits.
+static inline Float as_floats(Words a) {
+    Float r;
+    __builtin_memcpy(r.lane, a.lane, sizeof(r.lane));
+    return r;
+}
 // The bits of eight floats.
 static inline Words words_at(const float* p) {
     Words r;
@@ -100,6 +106,14 @@ static inline void load_turned(const void* first, std::uint64_t step, Float out[
         Float block;
         __builtin_memcpy(block.lane, static_cast<const char*>(first) + step * ray, sizeof(block.lane));
         for (int i = 0; i < 8; ++i) out[i].lane[ray] = block.lane[i];
+    }
+}
+
+// The other way: the i-th lanes of four vectors become block i, sixteen bytes of every `step`.
+static inline void store_turned(void* first, std::uint64_t step, Float a, Float b, Float c, Float d) {
+    for (std::uint64_t i = 0; i < 8; ++i) {
+        const float block[4] = {a.lane[i], b.lane[i], c.lane[i], d.lane[i]};
+        __builtin_memcpy(static_cast<char*>(first) + step * i, block, sizeof(block));
     }
 }
 

@@ -9,7 +9,7 @@ static inline std::uint32_t open_top(const SceneView& scene, const WideNode& nod
                                      const BoxRay& box, Stack& stack, int& top) {
     const Entrances e = enter_boxes(node, box);
     const std::uint32_t met = less_equal_bits(e.enter, e.leave) & common_bits(load(node.layers), layers);
-    if (met == 0) return pop(stack, top, box.s_max);
+    if (met == 0) return pop<Sink::kIsAny>(stack, top, box.s_max);
     return next_child<Sink>(places_of_scene(scene), node, e, met, stack, top);
 }
 
@@ -29,7 +29,7 @@ struct TopWalk {
     template <class Sink>
     std::uint32_t next(const SceneView& scene, std::uint32_t layers, float t_limit, Counts& counts) {
         box.s_max = s_limit(box, t_limit);
-        std::uint32_t item = pop(stack, top, box.s_max);
+        std::uint32_t item = pop<Sink::kIsAny>(stack, top, box.s_max);
         while (!(item & kLeafBit)) {
             const WideNode& node = scene.nodes[item];
             ++counts.nodes;
@@ -70,7 +70,7 @@ static bool walk_top(const SceneView& scene, const RayIn& world, std::uint32_t l
             in_world.box.s_max = s_limit(in_world.box, sink.t_limit);
         }
         box.s_max = s_limit(box, sink.t_limit);
-        item = pop(stack, top, box.s_max);
+        item = pop<Sink::kIsAny>(stack, top, box.s_max);
     }
 }
 

@@ -208,12 +208,11 @@ static inline std::uint32_t order_children(const Places& places, const WideNode&
 }
 
 // The child likeliest to end an any-hit walk, which is the highest lane (collapse.cpp); the others go onto the stack.
-static inline std::uint32_t likeliest_child(const Places& places, const WideNode& node, const Entrances& e,
-                                            std::uint32_t met, Stack& stack, int& top) {
+static inline std::uint32_t likeliest_child(const Places& places, const WideNode& node, std::uint32_t met,
+                                            Stack& stack, int& top) {
     const std::uint32_t first = 31u - std::uint32_t(__builtin_clz(met));
     const std::uint32_t others = met & ~(1u << first);
     store(stack.item + top, compress(load(node.child), others));
-    store(stack.near + top, compress(e.enter, others));
     top += __builtin_popcount(others);
     prefetch<4>(places, stack.item[top - 1]);
     return node.child[first];
@@ -223,7 +222,7 @@ static inline std::uint32_t likeliest_child(const Places& places, const WideNode
 template <class Sink>
 static inline std::uint32_t next_child(const Places& places, const WideNode& node, const Entrances& e,
                                        std::uint32_t met, Stack& stack, int& top) {
-    if constexpr (Sink::kIsAny) return likeliest_child(places, node, e, met, stack, top);
+    if constexpr (Sink::kIsAny) return likeliest_child(places, node, met, stack, top);
     alignas(32) float near[kWidth];
     store(near, e.enter);
     return order_children(places, node, near, met, stack, top);
@@ -243,7 +242,8 @@ static bool walk_tree(InstanceRay& local, Sink& sink, Counts& counts) {
             const WideNode& node = places.nodes[item];
             const Entrances e = enter_boxes(node, ray, s_max);
             const std::uint32_t met = less_equal_bits(e.enter, e.leave);
-            item = met == 0 ? pop(stack, top, s_max) : next_child<Sink>(places, node, e, met, stack, top);
+            item = met == 0 ? pop<Sink::kIsAny>(stack, top, s_max)
+                            : next_child<Sink>(places, node, e, met, stack, top);
         }
         if (item == kEmptyTree) return false;
         ++counts.leaves;
@@ -251,7 +251,7 @@ static bool walk_tree(InstanceRay& local, Sink& sink, Counts& counts) {
         const Corners corners = corners_of(leaf.rows, leaf.count, local.ray);
         const std::uint32_t maybe = filter(leaf, corners);
         if (maybe != 0 && test_lanes(leaf, corners, maybe, local, sink)) return true;
-        item = pop(stack, top, local.box.s_max);
+        item = pop<Sink::kIsAny>(stack, top, local.box.s_max);
     }
 }
 
