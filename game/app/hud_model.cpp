@@ -225,10 +225,7 @@ void HudReader::note_tick(const world::Level& level, const world::Snapshot& now)
         captions_.add(
             {.text = words, .bearing = bearing_to(state.player, noise.position), .has_bearing = true});
     }
-    if (state.player.has_mirror != 0 && !had_mirror_) {
-        captions_.add({.text = "hold F: the hand mirror, with Q or R: round a corner"});
-    }
-    had_mirror_ = state.player.has_mirror != 0;
+    hints_.note_tick(level, now);
     const std::string room = title_of_room(level, state.player.position);
     if (room != room_ && !room.empty()) {
         room_ = room;
@@ -239,7 +236,8 @@ void HudReader::note_tick(const world::Level& level, const world::Snapshot& now)
 }
 
 present::HudModel HudReader::model(const world::Level& level, const world::Snapshot& now,
-                                   const render::Camera& camera, float aspect, bool shows_captions) const {
+                                   const render::Camera& camera, float aspect,
+                                   const HudChoices& choices) const {
     const world::State& state = now.state;
     const world::PlayerState& player = state.player;
     present::HudModel hud;
@@ -254,7 +252,11 @@ present::HudModel HudReader::model(const world::Level& level, const world::Snaps
     hud.lenses_taken = state.rules.lenses_taken_count;
     hud.room = room_;
     hud.room_age = room_age_;
-    if (shows_captions) hud.captions = captions_.list();
+    if (choices.captions) hud.captions = captions_.list();
+    if (choices.hints && hints_.lesson()) {
+        hud.hint = hints_.words();
+        hud.hint_strength = hints_.strength();
+    }
     for (std::size_t g = 0; g < level.guards.size(); ++g) {
         const world::GuardState& guard = state.guards[g];
         hud.guards.push_back({.bearing = bearing_to(player, guard.position),

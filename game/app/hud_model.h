@@ -3,6 +3,7 @@
 // Reads what the simulation decided; decides nothing.
 #pragma once
 
+#include "app/hints.h"
 #include "present/hud.h"
 #include "render/camera.h"
 #include "world/level.h"
@@ -12,6 +13,12 @@
 #include <string>
 
 namespace gh::app {
+
+// What the player wants to read.
+struct HudChoices {
+    bool captions = true;
+    bool hints = true;
+};
 
 class HudReader {
   public:
@@ -23,11 +30,11 @@ class HudReader {
     // As it stands. `camera` and `aspect` place the throw's arc in the picture.
     [[nodiscard]] present::HudModel model(const world::Level& level, const world::Snapshot& now,
                                           const render::Camera& camera, float aspect,
-                                          bool shows_captions) const;
+                                          const HudChoices& choices) const;
 
   private:
     present::Captions captions_;
-    bool had_mirror_ = false;
+    Hints hints_;
     std::string room_;
     float room_age_ = 0.0f;
 };

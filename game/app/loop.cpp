@@ -17,6 +17,7 @@ namespace gh::app {
 namespace {
 
 constexpr int kMostTicksAPicture = 6;
+constexpr float kRadiansADegree = 0.017453293f;
 constexpr const char* kPhaseNames[sim::kPhaseCount] = {"decide", "doors",  "motion",   "stones",
                                                        "noise",  "commit", "perceive", "judge"};
 
@@ -177,7 +178,7 @@ void Loop::draw() {
     resolution_.bound(quality.fewest_pixels, quality.most_pixels);
     const glm::ivec2 size = resolution_.size_for(window_.framebuffer_size());
     const std::shared_ptr<const world::Snapshot> now = session_.simulation->snapshot();
-    const render::Camera camera = player_camera(now->state.player);
+    const render::Camera camera = player_camera(now->state.player, settings_.field_of_view * kRadiansADegree);
     frame_watch_.begin_round();
     if (size.x > 0) {
         frame_watch_.enter("render");
@@ -205,8 +206,9 @@ void Loop::draw() {
 void Loop::draw_ui(const render::Camera& camera) {
     const std::shared_ptr<const world::Snapshot> now = session_.simulation->snapshot();
     const glm::vec2 shown = window_.picture_size();
-    present::draw_hud(window_,
-                      hud_.model(*session_.level, *now, camera, shown.x / shown.y, settings_.shows_captions));
+    present::draw_hud(window_, hud_.model(*session_.level, *now, camera, shown.x / shown.y,
+                                          {.captions = settings_.shows_captions,
+                                           .hints = settings_.shows_hints && !is_watching()}));
     if (plane_ != PlaneView::Picture) present::draw_title(window_, words_of(plane_));
     if (shows_profiler_) {
         present::ProfileModel model = profile_model(frame_watch_, tick_watch_, view_.film().stats);

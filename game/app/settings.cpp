@@ -64,11 +64,13 @@ present::MenuSettings load_settings(const fs::path& path) {
     read(from, "mouse_sensitivity", 0.1f, 4.0f, settings.mouse_sensitivity);
     read(from, "volume", 0.0f, 1.0f, settings.volume);
     read(from, "brightness", -2.0f, 2.0f, settings.brightness);
+    read(from, "field_of_view", 45.0f, 85.0f, settings.field_of_view);
     read(from, "frames_a_second", 10.0f, 60.0f, settings.frames_a_second);
     read(from, "quality", settings.quality);
     read(from, "inverts_y", settings.inverts_y);
     read(from, "toggles_crouch", settings.toggles_crouch);
     read(from, "shows_captions", settings.shows_captions);
+    read(from, "shows_hints", settings.shows_hints);
     return settings;
 }
 
@@ -77,11 +79,13 @@ Result<void> save_settings(const fs::path& path, const present::MenuSettings& se
     to["mouse_sensitivity"] = settings.mouse_sensitivity;
     to["volume"] = settings.volume;
     to["brightness"] = settings.brightness;
+    to["field_of_view"] = settings.field_of_view;
     to["frames_a_second"] = settings.frames_a_second;
     to["quality"] = present::kQualityWords[static_cast<std::size_t>(settings.quality)];
     to["inverts_y"] = settings.inverts_y;
     to["toggles_crouch"] = settings.toggles_crouch;
     to["shows_captions"] = settings.shows_captions;
+    to["shows_hints"] = settings.shows_hints;
     return write_file_atomically(path, to.dump(2) + "\n");
 }
 

@@ -34,12 +34,12 @@ bool read_numbers(const std::string& text, std::array<float, 6>& numbers) {
 
 }  // namespace
 
-render::Camera player_camera(const world::PlayerState& player) {
+render::Camera player_camera(const world::PlayerState& player, float fov_y) {
     return {.position = world::eye_of(player),
             .yaw = world::radians_from_turn(player.yaw),
             .pitch = world::radians_from_turn(player.pitch),
             .roll = -player.lean * kLeanRoll,
-            .fov_y = kPlayerFov};
+            .fov_y = fov_y};
 }
 
 Result<render::Camera> camera_named(const world::Level& level, const world::Snapshot& snapshot,

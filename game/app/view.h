@@ -28,7 +28,7 @@ namespace gh::app {
 inline constexpr float kPlayerFov = 1.2217305f;  // radians, vertical: 70 degrees
 
 // What the player sees.
-[[nodiscard]] render::Camera player_camera(const world::PlayerState& player);
+[[nodiscard]] render::Camera player_camera(const world::PlayerState& player, float fov_y = kPlayerFov);
 
 // "": the level's first camera, else where the player starts. A name: that camera. Six numbers
 // x,y,z,yaw,pitch,fov: metres and degrees.

@@ -151,6 +151,22 @@ void draw_aim(const Canvas& canvas, const HudModel& model) {
     }
 }
 
+// A line on a dark band, under where rooms say their names.
+void draw_hint(const Canvas& canvas, const HudModel& model) {
+    if (model.hint.empty() || model.hint_strength <= 0.0f) return;
+    const float px = 19.0f * canvas.unit;
+    const float width = text_font()->CalcTextSizeA(px, 1e9f, 0.0f, model.hint.c_str()).x;
+    const float half = width * 0.5f + 22.0f * canvas.unit;
+    const float middle = canvas.size.x * 0.5f, top = canvas.size.y * 0.225f;
+    const ImVec2 from = canvas.at(middle - half, top),
+                 to = canvas.at(middle + half, top + 36.0f * canvas.unit);
+    canvas.list->AddRectFilled(from, to, faded(kNight, model.hint_strength * 0.85f), 4.0f * canvas.unit);
+    canvas.list->AddRectFilled(from, ImVec2(from.x + 3.0f * canvas.unit, to.y),
+                               faded(kBrass, model.hint_strength), 2.0f * canvas.unit);
+    text(canvas, {text_font(), 19.0f}, canvas.at(middle, top + 7.0f * canvas.unit),
+         faded(kIvory, model.hint_strength), model.hint, 0.5f);
+}
+
 void draw_words(const Canvas& canvas, const HudModel& model) {
     const float middle = canvas.size.x * 0.5f;
     if (!model.prompt.empty()) {
@@ -203,6 +219,7 @@ void draw_hud(const Window& window, const HudModel& model) {
     draw_guards(*canvas, model);
     draw_gem(*canvas, model);
     draw_stance(*canvas, model);
+    draw_hint(*canvas, model);
     draw_words(*canvas, model);
 }
 

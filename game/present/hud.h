@@ -42,6 +42,8 @@ struct HudModel {
     float aim = 0.0f;                  // how far the throw is drawn, 0: not aiming
     std::vector<glm::vec2> throw_arc;  // picture coordinates 0..1, x right, y down
     std::string prompt;                // "Open the door"; empty: nothing in reach
+    std::string hint;                  // one line for somebody new to the game; empty: none
+    float hint_strength = 0.0f;        // 0 gone .. 1 fully there
     std::string room;                  // title of where the player is
     float room_age = 0.0f;             // seconds since entering it
     std::vector<GuardMark> guards;

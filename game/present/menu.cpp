@@ -39,6 +39,7 @@ void draw_settings(MenuSettings& settings) {
     ImGui::SliderFloat("mouse sensitivity", &settings.mouse_sensitivity, 0.1f, 4.0f, "%.2f");
     ImGui::SliderFloat("volume", &settings.volume, 0.0f, 1.0f, "%.2f");
     ImGui::SliderFloat("brightness", &settings.brightness, -2.0f, 2.0f, "%+.1f stops");
+    ImGui::SliderFloat("field of view", &settings.field_of_view, 45.0f, 85.0f, "%.0f degrees upright");
     ImGui::SliderFloat("frames a second", &settings.frames_a_second, 10.0f, 60.0f, "%.0f");
     int quality = static_cast<int>(settings.quality);
     if (ImGui::Combo("quality", &quality, kQualityWords.data(), static_cast<int>(kQualityWords.size())))
@@ -47,6 +48,8 @@ void draw_settings(MenuSettings& settings) {
     ImGui::Checkbox("invert the mouse's up and down", &settings.inverts_y);
     ImGui::Checkbox("crouch stays until pressed again", &settings.toggles_crouch);
     ImGui::Checkbox("captions", &settings.shows_captions);
+    ImGui::SameLine();
+    ImGui::Checkbox("hints", &settings.shows_hints);
 }
 
 }  // namespace
@@ -75,6 +78,9 @@ MenuAction draw_pause_menu(MenuSettings& settings, const std::string& note) {
     ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kBrass), "Glasshouse");
     ImGui::PopFont();
     if (ImGui::BeginTable("halves", 2, ImGuiTableFlags_SizingFixedFit)) {
+        // As wide as the longest line of what keys do: a table within a table does not ask for room.
+        ImGui::TableSetupColumn("play", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 31.0f);
+        ImGui::TableSetupColumn("settings", ImGuiTableColumnFlags_WidthFixed);
         ImGui::TableNextColumn();
         if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
         if (wide_button("Resume")) action = MenuAction::Resume;

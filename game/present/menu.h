@@ -14,11 +14,13 @@ struct MenuSettings {
     float mouse_sensitivity = 1.0f;
     float volume = 0.8f;            // 0..1
     float brightness = 0.0f;        // stops
+    float field_of_view = 70.0f;    // degrees from the picture's bottom to its top
     float frames_a_second = 24.0f;  // what the resolution is traded for
     QualityName quality = QualityName::Medium;
     bool inverts_y = false;
     bool toggles_crouch = false;
     bool shows_captions = true;
+    bool shows_hints = true;
 };
 
 enum class MenuAction { None, Resume, RestartLevel, Quit };

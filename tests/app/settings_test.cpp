@@ -25,6 +25,8 @@ TEST_F(Settings, ComeBackAsTheyWereSaved) {
     saved.quality = present::QualityName::Ultra;
     saved.inverts_y = true;
     saved.shows_captions = false;
+    saved.shows_hints = false;
+    saved.field_of_view = 58.0f;
     ASSERT_TRUE(save_settings(file_, saved));
     const present::MenuSettings loaded = load_settings(file_);
     EXPECT_EQ(loaded.mouse_sensitivity, 2.25f);
@@ -32,6 +34,8 @@ TEST_F(Settings, ComeBackAsTheyWereSaved) {
     EXPECT_EQ(loaded.quality, present::QualityName::Ultra);
     EXPECT_TRUE(loaded.inverts_y);
     EXPECT_FALSE(loaded.shows_captions);
+    EXPECT_FALSE(loaded.shows_hints);
+    EXPECT_EQ(loaded.field_of_view, 58.0f);
     EXPECT_FALSE(loaded.toggles_crouch);
 }
 
@@ -49,10 +53,13 @@ TEST_F(Settings, DamagedOrMissingFilesGiveTheDefaults) {
 
 TEST_F(Settings, ValuesOutOfRangeAreBroughtIntoItAndStrangersAreKept) {
     ASSERT_TRUE(write_file_atomically(
-        file_, std::string_view("{\"volume\": 99, \"mouse_sensitivity\": -1, \"mods\": [\"x\"]}")));
+        file_,
+        std::string_view(
+            "{\"volume\": 99, \"mouse_sensitivity\": -1, \"field_of_view\": 170, \"mods\": [\"x\"]}")));
     const present::MenuSettings loaded = load_settings(file_);
     EXPECT_EQ(loaded.volume, 1.0f);
     EXPECT_EQ(loaded.mouse_sensitivity, 0.1f);
+    EXPECT_EQ(loaded.field_of_view, 85.0f);
     ASSERT_TRUE(save_settings(file_, loaded));
     const auto bytes = read_file(file_, 1 << 16);
     ASSERT_TRUE(bytes);
