@@ -100,6 +100,11 @@ struct AnyLanes {
         hit |= std::uint64_t{m.met} << at;
         return m.met;
     }
+    bool take(int i, const Candidate& c) {
+        const bool is_met = (t_min[i] <= c.t) & (c.t <= t_limit[i]);
+        hit |= std::uint64_t{is_met} << i;
+        return is_met;
+    }
     AnySink alone(int i) const { return {t_min[i], t_limit[i], (hit >> i & 1) != 0}; }
     void put(int i, const AnySink& sink) { hit |= std::uint64_t{sink.is_hit} << i; }
     template <class Answers>

@@ -48,29 +48,21 @@ class PacketLeaves {
     // Ray i and the triangles the filter let through; whether its answer has changed.
     bool decide(const Leaf& leaf, std::uint32_t maybe, int i) {
         const TriangleRay ray = triangle_ray(rays_, i);
-        if constexpr (Lanes::Alone::kIsAny) {
-            InstanceRay local;  // what test_lanes asks of it
-            local.ray.dz = ray.dz;
-            local.skip = instance_.skip[i];
-            AnySink sink = lanes_.alone(i);
-            test_lanes(leaf, corners_of(leaf.rows, leaf.count, ray), maybe, local, sink);
-            lanes_.put(i, sink);
-            alive_ &= ~(std::uint64_t{sink.is_hit} << i);
-            return sink.is_hit;
-        } else {
-            bool has_changed = false;
-            for (; maybe != 0; maybe &= maybe - 1) {
-                const auto lane = std::uint32_t(__builtin_ctz(maybe));
-                Candidate candidate;
-                if (!decide_one(leaf.rows, leaf.count, lane, ray, candidate)) continue;
-                candidate.primitive = primitive_at(leaf, lane);
-                candidate.instance = instance_.id;
-                if (candidate.primitive != instance_.skip[i]) has_changed |= lanes_.take(i, candidate);
-            }
-            if (has_changed)
-                rays_.s_max[i] = lanes_.t_limit[i] * rays_.dz_abs[i] * (1.0f + 0x1p-21f) + rays_.s_pad[i];
-            return has_changed;
+        bool has_changed = false;
+        for (; maybe != 0; maybe &= maybe - 1) {
+            const auto lane = std::uint32_t(__builtin_ctz(maybe));
+            Candidate candidate;
+            if (!decide_one(leaf.rows, leaf.count, lane, ray, candidate)) continue;
+            candidate.primitive = primitive_at(leaf, lane);
+            candidate.instance = instance_.id;
+            if (candidate.primitive != instance_.skip[i]) has_changed |= lanes_.take(i, candidate);
         }
+        if constexpr (Lanes::Alone::kIsAny) {
+            alive_ &= ~(std::uint64_t{has_changed} << i);
+        } else if (has_changed) {
+            rays_.s_max[i] = lanes_.t_limit[i] * rays_.dz_abs[i] * (1.0f + 0x1p-21f) + rays_.s_pad[i];
+        }
+        return has_changed;
     }
 
   private:
