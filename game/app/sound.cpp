@@ -2,6 +2,7 @@
 
 #include "app/assets.h"
 #include "audio/acoustics.h"
+#include "audio/ceiling.h"
 #include "audio/mixer.h"
 #include "audio/sound_bank.h"
 #include "audio/soundscape.h"
@@ -29,6 +30,11 @@ struct Sound::Data {
 
 namespace {
 
+// At what a player sets as full volume. Sounds are made with room to spare: as they are, most of the bundled win lay 50 dB
+// below full scale, steps near by 40, and its loudest moment 12, so that a game at the same setting of one's speakers
+// seemed silent.
+constexpr float kMakeUpGain = 2.5f;
+
 audio::Ear ear_of(const world::PlayerState& player) {
     const glm::vec3 look = world::look_of(player);
     const glm::vec3 right = world::right_of_yaw(world::radians_from_turn(player.yaw));
@@ -43,7 +49,9 @@ Result<audio::SoundBank> bundled_sounds() {
 
 }  // namespace
 
-Sound::Sound(std::unique_ptr<Data> data) : data_(std::move(data)) {}
+Sound::Sound(std::unique_ptr<Data> data) : data_(std::move(data)) {
+    set_volume(1.0f);
+}
 Sound::~Sound() = default;
 
 Result<std::unique_ptr<Sound>> Sound::open_device() {
@@ -93,11 +101,13 @@ void Sound::note_tick(const world::Level& level, const world::Snapshot& now) {
                                                            ear.position, now.state.player.position)));
     }
     d.mixer.tick(ear, d.heard);
-    if (d.is_loopback) d.mixer.render(d.tick);
+    if (!d.is_loopback) return;  // a device's own limiter watches over what is heard there
+    d.mixer.render(d.tick);
+    for (float& sample : d.tick) sample = audio::under_ceiling(sample);
 }
 
 void Sound::set_volume(float volume) {
-    data_->mixer.set_volume(volume);
+    data_->mixer.set_volume(kMakeUpGain * volume);
 }
 void Sound::set_paused(bool is_paused) {
     data_->mixer.set_paused(is_paused);

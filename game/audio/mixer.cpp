@@ -242,7 +242,7 @@ void Mixer::render(std::span<float> stereo) {
 }
 
 void Mixer::set_volume(float volume) {
-    engine_->volume = volume > 0.0f ? std::min(volume, 1.0f) : 0.0f;
+    engine_->volume = volume > 0.0f ? std::min(volume, kMostVolume) : 0.0f;
 }
 
 void Mixer::set_paused(bool is_paused) {

@@ -35,7 +35,8 @@ namespace gh::audio {
 inline constexpr std::size_t kMaxFading = 8;                     // voices on their way out, besides
 inline constexpr std::size_t kMaxVoices = 24;                    // heard at once
 inline constexpr std::size_t kFramesPerTick = kSampleRate / 60;  // 800
-inline constexpr float kMaxGain = 10.0f;                         // of one band of one voice: 10 cm away
+inline constexpr float kMostVolume = 4.0f;
+inline constexpr float kMaxGain = 10.0f;  // of one band of one voice: 10 cm away
 
 struct Ear {
     glm::vec3 position{0.0f};  // metres, world
@@ -74,7 +75,7 @@ class Mixer {
     // One tick of sound, left and right in turn: exactly 2 * kFramesPerTick samples. Loopback only.
     void render(std::span<float> stereo);
 
-    // 0 silent .. 1 as mixed; anything else is brought into that range.
+    // 0 silent, 1 as the files are, at most kMostVolume; anything else is brought into that range.
     void set_volume(float volume);
     // Holds every voice where it is. A device stops; a loopback renders silence.
     void set_paused(bool is_paused);

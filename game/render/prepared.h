@@ -1,7 +1,7 @@
 // render/prepared.h - what the renderer works out once for a level: smaller copies of its textures, which lamps each
 // corner can see, and the light its walls give back.
 //
-// Cost      about a second for a museum on two cores.
+// Cost      2.4 s of one core for the museum, 1.8 of them for baked light; about 1.4 s on two. A player waits for it.
 // Threads   immutable once made. Borrows the Level, which must stay where it is and outlive it.
 // Same bits a function of its arguments; never of the number of threads.
 #pragma once

@@ -204,6 +204,16 @@ TEST_F(MixerTest, HalfTheVolumeIsHalfTheAmplitude) {
     EXPECT_NEAR(listen(mixer, ear_, std::span(&hum, 1), 60).rms() / full, 0.5, 0.01);
 }
 
+TEST_F(MixerTest, VolumeEndsWhereItIsSaidToEnd) {
+    Mixer mixer = open_mixer(bank_);
+    const Heard hum = hum_at({0.0f, 1.6f, -1.0f});
+    std::ignore = listen(mixer, ear_, std::span(&hum, 1), 20);
+    const double as_made = listen(mixer, ear_, std::span(&hum, 1), 60).rms();
+    mixer.set_volume(1e9f);
+    std::ignore = listen(mixer, ear_, std::span(&hum, 1), 180);
+    EXPECT_NEAR(listen(mixer, ear_, std::span(&hum, 1), 60).rms() / as_made, kMostVolume, 0.04);
+}
+
 TEST_F(MixerTest, ASoundFromNowhereIsNotPlayed) {
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     Mixer mixer = open_mixer(bank_);
