@@ -5,6 +5,9 @@
 #include "filter/mend.h"
 #include "filter/rows.h"
 
+#include <algorithm>
+#include <array>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "filter/atrous.cpp"
 #include <hwy/foreach_target.h>
@@ -171,6 +174,34 @@ namespace {
 
 // The furthest a kernel may look beside its row.
 constexpr int kFurthest = static_cast<int>(Plane::kMargin);
+constexpr int kMostLevels = 7;
+
+void expect_fit(const Guides& guides, const SignalView& in, const AtrousSettings& settings, int level) {
+    EXPECTS(settings.radius == 1 || settings.radius == 2);
+    EXPECTS(level >= 0 && level < kMostLevels && (settings.radius << level) <= kFurthest);
+    EXPECTS(settings.luminance_sigmas > 0.0f);
+    EXPECTS(in.light->width() == guides.width() && in.light->height() == guides.height());
+}
+
+void level_row(const Guides& guides, const SignalView& in, const AtrousSettings& settings, int level, int y,
+               Signal& out) {
+    AtrousRow row{};
+    row.guides = rows_of(guides, y);
+    point_to(row.light, *in.light, y);
+    row.variance = in.variance->row(y);
+    row.stiffness = in.stiffness == nullptr || in.stiffness->empty() ? nullptr : in.stiffness->row(y);
+    row.part = in.part == nullptr ? nullptr : in.part->row(y);
+    point_to(row.out_light, out.light, y);
+    row.out_variance = out.variance.row(y);
+    row.radius = settings.radius;
+    row.step = 1 << level;
+    row.width = guides.width();
+    row.height = guides.height();
+    row.y = y;
+    row.stride = guides.nearness.stride();
+    row.luminance_sigmas = settings.luminance_sigmas;
+    HWY_DYNAMIC_DISPATCH(atrous_row)(row);
+}
 
 }  // namespace
 
@@ -181,31 +212,11 @@ void Signal::fit(int width, int height) {
 
 void atrous_level(const Guides& guides, const SignalView& in, const AtrousSettings& settings, int level,
                   const Jobs& jobs, Signal& out) {
-    EXPECTS(settings.radius == 1 || settings.radius == 2);
-    EXPECTS(level >= 0 && (settings.radius << level) <= kFurthest);
-    EXPECTS(settings.luminance_sigmas > 0.0f && in.light != &out.light);
-    const int width = guides.width(), height = guides.height();
-    EXPECTS(in.light->width() == width && in.light->height() == height);
-    out.fit(width, height);
-    const int step = 1 << level;
-    run_rows_apart(height, step, jobs, [&](int y) {
-        AtrousRow row{};
-        row.guides = rows_of(guides, y);
-        point_to(row.light, *in.light, y);
-        row.variance = in.variance->row(y);
-        row.stiffness = in.stiffness == nullptr || in.stiffness->empty() ? nullptr : in.stiffness->row(y);
-        row.part = in.part == nullptr ? nullptr : in.part->row(y);
-        point_to(row.out_light, out.light, y);
-        row.out_variance = out.variance.row(y);
-        row.radius = settings.radius;
-        row.step = step;
-        row.width = width;
-        row.height = height;
-        row.y = y;
-        row.stride = guides.nearness.stride();
-        row.luminance_sigmas = settings.luminance_sigmas;
-        HWY_DYNAMIC_DISPATCH(atrous_row)(row);
-    });
+    expect_fit(guides, in, settings, level);
+    EXPECTS(in.light != &out.light);
+    out.fit(guides.width(), guides.height());
+    run_rows_apart(guides.height(), 1 << level, jobs,
+                   [&](int y) { level_row(guides, in, settings, level, y, out); });
 }
 
 void make_signal(const Plane3& light, const Plane& variance, const Jobs& jobs, Signal& signal) {
@@ -221,17 +232,39 @@ void make_signal(const Plane3& light, const Plane& variance, const Jobs& jobs, S
     });
 }
 
+void atrous(const Guides& guides, std::span<const Smoothing> signals, const Jobs& jobs) {
+    int levels = 0, radius = 1;
+    for (const Smoothing& signal : signals) {
+        EXPECTS(signal.settings.levels >= 1);
+        levels = std::max(levels, signal.settings.levels);
+        radius = std::max(radius, signal.settings.radius);
+        expect_fit(guides, signal.in, signal.settings, signal.settings.levels - 1);
+        for (int i = 0; i < std::min(2, signal.settings.levels); ++i)
+            signal.scratch[i].fit(guides.width(), guides.height());
+    }
+    std::array<int, kMostLevels> reach{};
+    EXPECTS(levels <= kMostLevels);
+    for (int level = 1; level < levels; ++level) reach[static_cast<std::size_t>(level)] = radius << level;
+    if (levels == 0) return;
+    run_passes(guides.height(), std::span(reach).first(static_cast<std::size_t>(levels)), jobs,
+               [&](int level, int y) {
+                   for (const Smoothing& signal : signals) {
+                       if (level >= signal.settings.levels) continue;
+                       SignalView from = signal.in;
+                       if (level > 0) {
+                           const Signal& before = signal.scratch[(level - 1) % 2];
+                           from.light = &before.light;
+                           from.variance = &before.variance;
+                       }
+                       level_row(guides, from, signal.settings, level, y, signal.scratch[level % 2]);
+                   }
+               });
+}
+
 const Signal& atrous(const Guides& guides, const SignalView& in, const AtrousSettings& settings,
                      const Jobs& jobs, Signal scratch[2]) {
-    EXPECTS(settings.levels >= 1);
-    SignalView from = in;
-    for (int level = 0; level < settings.levels; ++level) {
-        Signal& out = scratch[level % 2];
-        atrous_level(guides, from, settings, level, jobs, out);
-        from = view_of(out);
-        from.stiffness = in.stiffness;
-        from.part = in.part;
-    }
+    const Smoothing one{in, settings, scratch};
+    atrous(guides, std::span(&one, 1), jobs);
     return scratch[(settings.levels - 1) % 2];
 }
 

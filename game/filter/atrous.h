@@ -19,6 +19,8 @@
 #include "filter/guides.h"
 #include "filter/plane.h"
 
+#include <span>
+
 namespace gh::filter {
 
 // Light to be smoothed and what is known of it.
@@ -58,5 +60,14 @@ void atrous_level(const Guides& guides, const SignalView& in, const AtrousSettin
 // All levels (at least one) of one signal, by turns into the two of `scratch`; returns the one that holds the result.
 const Signal& atrous(const Guides& guides, const SignalView& in, const AtrousSettings& settings,
                      const Jobs& jobs, Signal scratch[2]);
+
+// The same of several signals side by side: row by row, so that guides are read once for all and a level finds in the
+// cache what the one before has left. The result of each is in scratch[(levels - 1) % 2].
+struct Smoothing {
+    SignalView in;
+    AtrousSettings settings;
+    Signal* scratch;  // two
+};
+void atrous(const Guides& guides, std::span<const Smoothing> signals, const Jobs& jobs);
 
 }  // namespace gh::filter

@@ -4,6 +4,8 @@
 #include "filter/rows.h"
 #include "filter/variance.h"
 
+#include <array>
+#include <span>
 #include <utility>
 
 namespace gh::filter {
@@ -48,16 +50,29 @@ void Denoiser::accumulate_track(const Plane3& light, const Plane& change, const 
         settle({step.settings.settle_sigmas, step.settings.temporal.fast_longest}, step.jobs, track.mean,
                sums_);
     }
-    estimate_variance(track.mean, guides_, step.jobs, track.variance);
+    estimate_variance(track.mean, step.jobs, track.variance);
     track.smooth = &track.mean.light;
 }
 
-void Denoiser::smooth_track(const AtrousSettings& settings, const Plane* stiffness, const Step& step,
-                            Track& track) {
-    if (settings.levels == 0) return;
-    const SignalView view{&track.mean.light, &track.variance, stiffness,
-                          stiffness != nullptr ? &step.surfaces.part : nullptr};
-    track.smooth = &atrous(guides_, view, settings, step.jobs, track.scratch).light;
+// All lights side by side, for they ask the same guides.
+void Denoiser::smooth_tracks(const Step& step) {
+    std::array<Smoothing, 3> all;
+    std::size_t count = 0;
+    const auto add = [&](Track& track, const AtrousSettings& settings) {
+        if (track.smooth == nullptr || settings.levels == 0) return;
+        all[count++] = {{&track.mean.light, &track.variance}, settings, track.scratch};
+        track.smooth = &track.scratch[(settings.levels - 1) % 2].light;
+    };
+    add(direct_, step.settings.direct);
+    add(indirect_, step.settings.indirect);
+    if (specular_.smooth != nullptr && !step.surfaces.roughness.empty())
+        make_stiffness(step.surfaces.roughness, step.jobs, stiffness_);
+    add(specular_, step.settings.specular);
+    if (specular_.smooth != nullptr && step.settings.specular.levels > 0) {
+        all[count - 1].in.stiffness = step.surfaces.roughness.empty() ? nullptr : &stiffness_;
+        all[count - 1].in.part = &step.surfaces.part;
+    }
+    atrous(guides_, std::span(all).first(count), step.jobs);
 }
 
 void Denoiser::denoise(const GBuffer& surfaces, const Light& light, const DenoiseSettings& settings,
@@ -86,13 +101,7 @@ void Denoiser::denoise(const GBuffer& surfaces, const Light& light, const Denois
         reproject(surfaces, guides_, seen_, Motion::OfReflection, jobs, taps_);
         accumulate_track(light.specular, change(light.direct_change), surfaces.gloss, step, specular_);
     }
-    if (has_direct) smooth_track(settings.direct, nullptr, step, direct_);
-    if (has_indirect) smooth_track(settings.indirect, nullptr, step, indirect_);
-    if (has_specular) {
-        const bool varies = !surfaces.roughness.empty();
-        if (varies) make_stiffness(surfaces.roughness, jobs, stiffness_);
-        smooth_track(settings.specular, varies ? &stiffness_ : nullptr, step, specular_);
-    }
+    smooth_tracks(step);
     remodulate({.direct = direct_.smooth,
                 .indirect = indirect_.smooth,
                 .specular = specular_.smooth,

@@ -58,13 +58,13 @@ class Denoiser {
         Accumulated mean, before;
         Plane variance;
         Signal scratch[2];  // the a-trous levels by turns; before them, the samples as they are mended
-        const Luma3* smooth = nullptr;  // what is shown
+        const Luma3* smooth = nullptr;  // what is shown; null: there is no such light
     };
     struct Step;
 
     void accumulate_track(const Plane3& light, const Plane& change, const Plane3& albedo, const Step& step,
                           Track& track);
-    void smooth_track(const AtrousSettings& atrous, const Plane* stiffness, const Step& step, Track& track);
+    void smooth_tracks(const Step& step);
 
     Guides guides_;
     SeenSurfaces seen_;

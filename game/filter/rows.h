@@ -5,12 +5,16 @@
 #include "filter/plane.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <span>
 
 namespace gh::filter {
 
 // Rows an item holds: enough that starting it costs nothing, few enough that two cores end together.
 inline constexpr int kRowsAtOnce = 8;
+// Of a strip through several passes, about: many, since what lies between two of them falls out of the cache.
+inline constexpr int kStripRows = 90;
 
 // Calls row(y) once for every y in [0, height), in any order and on any thread.
 template <class Row>
@@ -32,6 +36,39 @@ void run_rows_apart(int height, int step, const Jobs& jobs, const Row& row) {
         const int comb = i < in_long ? i / (whole + 1) : more + (i - in_long) / std::max(1, whole);
         const int tooth = i < in_long ? i % (whole + 1) : (i - in_long) % std::max(1, whole);
         row(tooth * step + comb);
+    });
+}
+
+// Passes one after the other, of which each needs rows of the one before: up to reach[pass] above and below (the first
+// needs none). Calls row(pass, y) once for each, as soon as what it needs is there, so that few rows lie between a pass
+// and the next and are still in the cache. Strips of rows run on all threads, narrowing from pass to pass; then what is
+// missing between them, widening. A pass may write where the one before the last wrote, if it reaches as far as that or
+// further: whoever reads a row has done so by then.
+template <class Row>
+void run_passes(int height, std::span<const int> reach, const Jobs& jobs, const Row& row) {
+    const int passes = static_cast<int>(reach.size());
+    std::array<int, 16> lag{};  // rows a pass is behind the first
+    EXPECTS(passes >= 1 && reach.size() <= lag.size());
+    for (std::size_t pass = 1; pass < reach.size(); ++pass) lag[pass] = lag[pass - 1] + reach[pass];
+    const int last = lag[reach.size() - 1];
+    const int strips = std::clamp(height / std::max(1, 5 * last), 1, (height + kStripRows - 1) / kStripRows);
+    const auto begin_of = [&](int strip) { return strip * height / strips; };
+    jobs.run(static_cast<std::size_t>(strips), [&](std::size_t strip, int) {
+        const int begin = begin_of(static_cast<int>(strip)), end = begin_of(static_cast<int>(strip) + 1);
+        for (int t = begin; t < end + last; ++t) {
+            for (int pass = 0; pass < passes; ++pass) {
+                const int behind = lag[static_cast<std::size_t>(pass)], y = t - behind;
+                if (y >= begin + (begin > 0 ? behind : 0) && y < end - (end < height ? behind : 0))
+                    row(pass, y);
+            }
+        }
+    });
+    jobs.run(static_cast<std::size_t>(strips - 1), [&](std::size_t strip, int) {
+        const int border = begin_of(static_cast<int>(strip) + 1);
+        for (int pass = 0; pass < passes; ++pass) {
+            const int behind = lag[static_cast<std::size_t>(pass)];
+            for (int y = border - behind; y < border + behind; ++y) row(pass, y);
+        }
     });
 }
 

@@ -1,14 +1,11 @@
 // filter/variance_kernel.h - plain data between variance.cpp and its kernel.
 #pragma once
 
-#include "filter/guides.h"
-
 #include <cstddef>
 
 namespace gh::filter {
 
 struct VarianceRow {
-    GuideRows guides;
     const float *luminance, *square, *length;
     int width, height, y;
     std::ptrdiff_t stride;

@@ -9,6 +9,8 @@
 #include "filter/enlarge.h"
 #include "filter/isa.h"
 #include "filter/synthetic.h"
+#include "filter/temporal_upscale.h"
+#include "filter/tone_map.h"
 #include "filter/variance.h"
 
 #include <CLI/CLI.hpp>
@@ -115,12 +117,10 @@ void bench_stages(const Bench& b) {
         "settle a signal", [&](int) { filter::settle({}, b.jobs, mean, sums); }, mean.light.x);
     filter::Plane variance;
     b.row(
-        "variance, short history", [&](int) { filter::estimate_variance(mean, guides, b.jobs, variance); },
-        variance);
+        "variance, short history", [&](int) { filter::estimate_variance(mean, b.jobs, variance); }, variance);
     mean.length = filter::Plane(b.options.width, b.options.height, 8.0f);
     b.row(
-        "variance, long history", [&](int) { filter::estimate_variance(mean, guides, b.jobs, variance); },
-        variance);
+        "variance, long history", [&](int) { filter::estimate_variance(mean, b.jobs, variance); }, variance);
 
     const filter::SignalView signal{&mean.light, &variance};
     filter::Signal scratch[2];
@@ -154,6 +154,43 @@ void bench_enlarging(const Bench& b) {
     b.row(
         "enlarge to the window, by its surfaces",
         [&](int) { filter::joint_enlarge(small, guides, large, b.jobs, out); }, out.x);
+}
+
+// The picture as the window gets it: added up over frames to its size, and made into what a screen takes.
+void bench_showing(const Bench& b) {
+    const gh::test::Frame& now = b.frames[11];
+    gh::Image small(b.options.width, b.options.height), large;
+    std::vector<std::uint32_t> part;
+    std::vector<glm::vec3> position;
+    filter::image_from(gh::test::total(now.truth), small);
+    for (int y = 0; y < small.height; ++y) {
+        for (int x = 0; x < small.width; ++x) {
+            part.push_back(now.surfaces.part.at(x, y));
+            position.push_back(now.surfaces.position.get(x, y));
+        }
+    }
+    filter::TemporalUpscaler upscaler;
+    filter::Plane3 planes;
+    const auto answer = [&]() -> const filter::Plane& {
+        filter::planes_from(large, planes);
+        return planes.x;
+    };
+    const auto add = [&](int round) {
+        upscaler.add({.radiance = small,
+                      .lens = now.surfaces.lens,
+                      .jitter = filter::halton_jitter(static_cast<std::uint32_t>(round)),
+                      .part = part,
+                      .position = position,
+                      .previous = position},
+                     {b.options.window_width, b.options.window_height}, b.jobs, large);
+    };
+    add(0);
+    b.row("add up to the window", add, answer());
+    gh::Image8 bytes;
+    b.row(
+        "tone map the window",
+        [&](int round) { filter::tone_map(large, 1.0f, static_cast<std::uint32_t>(round), b.jobs, bytes); },
+        answer());
 }
 
 void bench_denoiser(const Bench& b, const char* name, bool has_indirect, bool has_specular) {
@@ -204,6 +241,7 @@ int main(int argc, char** argv) {
     bench::print_head("core-ms a frame");
     bench_stages(b);
     bench_enlarging(b);
+    bench_showing(b);
     bench_denoiser(b, "denoise: direct", false, false);
     bench_denoiser(b, "denoise: direct + indirect", true, false);
     bench_denoiser(b, "denoise: direct + indirect + specular", true, true);
