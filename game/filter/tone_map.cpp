@@ -1,8 +1,7 @@
 #include "filter/tone_map.h"
 
 #include "base/det_math.h"
-
-#include <glm/common.hpp>
+#include "filter/tone_map_kernel.h"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +11,6 @@ namespace gh::filter {
 
 namespace {
 
-constexpr float kKnee = 0.25f;      // below it the curve is straight
-constexpr float kWhitening = 8.0f;  // exposed peak at which a colour is a quarter of the way to white
 // The eye follows the light half way only (in stops): a dark room is to look dark, and a bright one bright.
 constexpr float kFollows = 0.5f;
 constexpr float kExposureOfOne = 0.63f;  // where the logarithmic mean of the radiance is 1
@@ -26,26 +23,18 @@ float luminance(const glm::vec3& c) {
 }
 
 // sRGB codes over the square root of linear light, where the function is nearly straight.
-constexpr std::size_t kSteps = 1024;
-using EncodingTable = std::array<float, kSteps + 2>;
+using EncodingTable = std::array<float, kEncodingSteps + 2>;
 
 EncodingTable make_encoding() {
     EncodingTable table;
     for (std::size_t i = 0; i < table.size(); ++i) {
-        const float root = static_cast<float>(i) / static_cast<float>(kSteps);
+        const float root = static_cast<float>(i) / static_cast<float>(kEncodingSteps);
         table[i] = 255.0f * srgb_from_linear(root * root);
     }
     return table;
 }
 
 const EncodingTable kEncoding = make_encoding();
-
-float srgb_code(float linear) {
-    const float at = std::sqrt(std::clamp(linear, 0.0f, 1.0f)) * static_cast<float>(kSteps);
-    const auto i = static_cast<std::size_t>(at);
-    const float blend = at - static_cast<float>(i);
-    return kEncoding[i] + (kEncoding[i + 1] - kEncoding[i]) * blend;
-}
 
 // An 8x8 Bayer matrix in [0, 1): the bits of x ^ y and y interleaved, lowest first.
 float threshold(std::uint32_t x, std::uint32_t y, std::uint32_t frame) {
@@ -56,16 +45,6 @@ float threshold(std::uint32_t x, std::uint32_t y, std::uint32_t frame) {
     const float turned =
         (static_cast<float>(rank) + 0.5f) / 64.0f + static_cast<float>(frame % 64) * 0.61803398875f;
     return turned - std::floor(turned);
-}
-
-glm::vec3 displayed(const glm::vec3& radiance, float exposure) {
-    glm::vec3 c = radiance * exposure;
-    for (std::size_t i = 0; i < 3; ++i) c[i] = c[i] > 0.0f ? std::min(c[i], 1e9f) : 0.0f;  // NaN is black
-    const float peak = std::max({c.x, c.y, c.z});
-    if (!(peak > 0.0f)) return glm::vec3(0.0f);
-    const float shown = film_curve(peak);
-    const float half_way = peak / (peak + kWhitening);
-    return glm::mix(c * (shown / peak), glm::vec3(shown), half_way * half_way);
 }
 
 }  // namespace
@@ -102,22 +81,23 @@ float adapted_exposure(const Image& picture, float previous, float seconds) {
 }
 
 void tone_map(const Image& picture, float exposure, std::uint32_t frame, const Jobs& jobs, Image8& out) {
+    if (picture.width == 0 || picture.height == 0) {
+        out = Image8(picture.width, picture.height, 3);
+        return;
+    }
     if (out.width != picture.width || out.height != picture.height || out.channels != 3) {
         out = Image8(picture.width, picture.height, 3);
     }
-    jobs.run(static_cast<std::size_t>(picture.height), [&](std::size_t row, int) {
-        const int y = static_cast<int>(row);
-        for (int x = 0; x < picture.width; ++x) {
-            const glm::vec3 shown = displayed(picture.at(x, y), exposure);
-            const float dither =
-                threshold(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), frame);
-            std::uint8_t* bytes = out.at(x, y);
-            for (std::size_t c = 0; c < 3; ++c) {
-                // Half a step either way at most: black stays black and a code that fits stays.
-                const float code = srgb_code(shown[c]) + 0.25f + 0.5f * dither;
-                bytes[c] = static_cast<std::uint8_t>(std::min(code, 255.0f));
-            }
-        }
+    jobs.run(static_cast<std::size_t>(picture.height), [&](std::size_t y, int) {
+        ToneRow row{};
+        row.radiance = &picture.pixels[y * static_cast<std::size_t>(picture.width)].x;
+        row.width = static_cast<std::size_t>(picture.width);
+        row.exposure = exposure;
+        row.encoding = kEncoding.data();
+        for (std::uint32_t x = 0; x < kDitherSide + kMostLanes; ++x)
+            row.dither[x] = 0.5f * threshold(x, static_cast<std::uint32_t>(y), frame);
+        row.bytes = out.at(0, static_cast<int>(y));
+        tone_row(row);
     });
 }
 
