@@ -33,15 +33,22 @@ static inline std::uint32_t meet_node(const WideNode& node, const PacketRays& ra
     return children;
 }
 
-// Opens nodes from `root` down, nearest first; an any-hit walk takes the highest lane, the likeliest to end it.
+// Where a packet walks.
+struct PacketTree {
+    Places places;
+    std::uint32_t root;
+    std::uint32_t layers;  // of a top level
+};
+
+// Opens nodes from the root down, nearest first; an any-hit walk takes the highest lane, the likeliest to end it.
 // at_leaf(item, rays) may shorten rays and take some out of `alive`;
 // keep(node, near, rays) may put off what is left to few.
 template <bool kIsTlas, bool kIsAny, class AtLeaf, class Keep>
-static inline void walk_packet(const Places& places, std::uint32_t root, const PacketRays& rays,
-                               const std::uint64_t& alive, std::uint32_t layers, Counts& counts,
-                               const AtLeaf& at_leaf, const Keep& keep) {
+static inline void walk_packet(const PacketTree& tree, const PacketRays& rays, const std::uint64_t& alive,
+                               Counts& counts, const AtLeaf& at_leaf, const Keep& keep) {
+    const Places& places = tree.places;
     PacketEntry stack[kStackSize + kWidth];
-    stack[0] = {rays.fit, root, 0, 0, -__builtin_inff()};
+    stack[0] = {rays.fit, tree.root, 0, 0, -__builtin_inff()};
     for (int top = 1; top > 0;) {
         const PacketEntry entry = stack[--top];
         std::uint64_t asked = entry.rays & alive;
@@ -58,7 +65,7 @@ static inline void walk_packet(const Places& places, std::uint32_t root, const P
         ++counts.nodes;
         alignas(32) float near[kWidth];
         ChildRays met;
-        std::uint32_t children = meet_node<kIsTlas>(node, rays, asked, layers, near, met);
+        std::uint32_t children = meet_node<kIsTlas>(node, rays, asked, tree.layers, near, met);
         for (const int base = top; children != 0; children &= children - 1) {
             const int lane = __builtin_ctz(children);
             if constexpr (!kIsTlas) prefetch<4>(places, node.child[lane]);

@@ -20,8 +20,8 @@ class Packet {
           in_(rays),
           n_(n),
           groups_((n + kWidth - 1) / kWidth),
-          layers_(layers),
-          counts_(counts) {
+          counts_(counts),
+          layers_(layers) {
         if (n % kWidth == 0) return;
         for (int i = groups_ * kWidth - kWidth; i < groups_ * kWidth; ++i)
             last_[i & (kWidth - 1)] = in_[i < n ? i : n - 1];
@@ -88,7 +88,7 @@ class Packet {
                 to_local(instance.local_from_world, rays);
                 fit &= fit_bits(rays);
             }
-            aim_eight(outer_, at, rays, fit, tree, {true, 0.0f}, hulls);
+            aim_eight(outer_, at, rays, fit, {tree, true, 0.0f}, hulls);
         }
         finish_aim(outer_, groups_, tree, hulls);
         outer_.few = few(outer_, tree);
@@ -109,14 +109,14 @@ class Packet {
         for (int at = 0; at < n_; at += kWidth) {
             std::uint32_t fit;
             const EightRays rays = begin_group(at, fit);
-            aim_eight(outer_, at, rays, fit, bounds, {false, farthest * scene_.condition * 0x1p-20f}, hulls);
+            aim_eight(outer_, at, rays, fit, {bounds, false, farthest * scene_.condition * 0x1p-20f}, hulls);
         }
         finish_aim(outer_, groups_, bounds, hulls);
         if (__builtin_popcountll(outer_.fit) < kLeastPacket || !start_together(outer_, bounds)) return false;
         outer_.few = 0;
         alive_ = outer_.fit;
         walk_packet<true, Alone::kIsAny>(
-            places_of_scene(scene_), scene_.root, outer_, alive_, layers_, counts_,
+            {places_of_scene(scene_), scene_.root, layers_}, outer_, alive_, counts_,
             [&](std::uint32_t item, std::uint64_t rays) { meet_instance(item & ~kLeafBit, rays); },
             [](std::uint32_t, float, std::uint64_t) { return false; });
         return true;
@@ -133,7 +133,7 @@ class Packet {
             if (!instance.is_identity) to_local(instance.local_from_world, local);
             const std::uint32_t fit = fit_bits(local) & bits;
             local.t_max = load(lanes_.t_limit + at);
-            aim_eight(rays, at, local, fit, tree, {true, 0.0f}, hulls);
+            aim_eight(rays, at, local, fit, {tree, true, 0.0f}, hulls);
         }
         finish_aim(rays, groups_, tree, hulls);
         rays.few = few(rays, tree);
@@ -171,7 +171,7 @@ class Packet {
         PacketLeaves<Lanes> leaves(rays, groups_, instance_, lanes_, alive_);
         PacketTail<Lanes> tail(blas, rays, leaves, alive_, counts_);
         walk_packet<false, Alone::kIsAny>(
-            places_of_blas(blas.nodes, blas.leaves), blas.root, rays, alive_, 0, counts_,
+            {places_of_blas(blas.nodes, blas.leaves), blas.root, 0}, rays, alive_, counts_,
             [&](std::uint32_t item, std::uint64_t met) {
                 counts_.leaves += std::uint64_t(__builtin_popcountll(met));
                 leaves.test(leaf_at(blas.leaves, item), met);
@@ -180,17 +180,17 @@ class Packet {
         tail.walk();
     }
 
+    PacketRays outer_, inner_;
+    Lanes lanes_;
+    InstanceOfPacket instance_;
+    RayIn last_[kWidth];  // of the last group, whose last ray fills it up
     const SceneView& scene_;
     const RayIn* in_;
     int n_, groups_;
-    std::uint32_t layers_;
     Counts& counts_;
-    bool skips_any_ = false;
     std::uint64_t alive_ = 0;
-    RayIn last_[kWidth];  // of the last group, whose last ray fills it up
-    Lanes lanes_;
-    PacketRays outer_, inner_;
-    InstanceOfPacket instance_;
+    std::uint32_t layers_;
+    bool skips_any_ = false;
 };
 
 // A batch in packets where its rays start near each other, and in streams where they do not.

@@ -71,8 +71,9 @@ static inline std::uint32_t fit_bits(const EightRays& rays) {
            less_equal_bits(rays.t_min, rays.t_max) & less_equal_bits(splat(0x1p-80f), size);
 }
 
-// ray_setup.inl's sharp_padding and wide_padding, eight at a time.
+// ray_setup.inl's sharp_padding and wide_padding in a tree, eight at a time.
 struct PacketPadding {
+    TreeBounds tree;
     bool is_sharp;
     float extra_pad;
 };
@@ -136,7 +137,8 @@ static inline void shear_eight(PacketRays& rays, int at, const EightRays& in, st
 
 // ray_setup.inl's aim, for the eight rays of `fit` at lane `at`; `t_max` is finite.
 static inline void aim_eight(PacketRays& rays, int at, const EightRays& in, std::uint32_t fit,
-                             const TreeBounds& tree, const PacketPadding& padding, LaneHulls& hulls) {
+                             const PacketPadding& padding, LaneHulls& hulls) {
+    const TreeBounds& tree = padding.tree;
     shear_eight(rays, at, in, fit);
     rays.fit |= std::uint64_t{fit} << at;
     const Float dz_abs = load(rays.dz_abs + at), zero = splat(0.0f);
