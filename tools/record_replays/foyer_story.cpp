@@ -95,7 +95,7 @@ void walk_out(Actor& thief) {
     thief.open("door_vestibule_right", 0.5f);
     thief.note("vestibule open");
     thief.go(floor_at(0.2f, -14.2f), Pace::Run);
-    thief.watch_guard(0.8f);
+    thief.watch_guard(1.7f);
     thief.note("out");
 }
 

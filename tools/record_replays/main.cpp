@@ -62,7 +62,7 @@ struct Trial {
     bool wins = false;
     float nearest = 1e9f;  // metres between the thief and a guard, at their closest
     float chased = 1e9f;   // the same while a guard runs after a thief who has the lens
-    float still = 0.0f;    // share of the ticks in which the thief stands
+    float still = 0.0f;    // share of the ticks in which the thief stands, until it is over
 };
 
 Trial tried(const std::shared_ptr<const world::Level>& level, std::uint32_t seed,
@@ -73,12 +73,13 @@ Trial tried(const std::shared_ptr<const world::Level>& level, std::uint32_t seed
     for (const input::Command& command : run) {
         simulation.step(command);
         const world::State& state = simulation.state();
-        still += sim::flat_length(state.player.velocity) < 0.05f ? 1 : 0;
+        const bool is_over = state.rules.outcome != world::Outcome::Playing;  // nobody walks on
+        still += !is_over && sim::flat_length(state.player.velocity) < 0.05f ? 1 : 0;
         const bool has_lens = !level->lenses.empty() && state.rules.lenses_taken_count != 0;
         for (std::size_t g = 0; g < level->guards.size(); ++g) {
             const float apart = sim::length_of(state.guards[g].position - state.player.position);
             trial.nearest = std::min(trial.nearest, apart);
-            if (has_lens && state.guards[g].alert == world::Alert::Chasing) trial.chased = std::min(trial.chased, apart);
+            if (has_lens && !is_over && state.guards[g].alert == world::Alert::Chasing) trial.chased = std::min(trial.chased, apart);
         }
     }
     trial.wins = simulation.state().rules.outcome == world::Outcome::Won;
