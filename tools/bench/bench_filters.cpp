@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 
 namespace {
 
@@ -226,9 +227,7 @@ void report_error(const Bench& b) {
     }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int bench_all(int argc, char** argv) {
     const Options options = read_options(argc, argv);
     std::printf("kernels:");
     for (const std::string& name : filter::isa_names()) std::printf(" %s", name.c_str());
@@ -247,4 +246,15 @@ int main(int argc, char** argv) {
     bench_denoiser(b, "denoise: direct + indirect + specular", true, true);
     report_error(b);
     return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return bench_all(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "filter_bench: %s\n", error.what());
+        return 2;
+    }
 }

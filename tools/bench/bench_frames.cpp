@@ -20,6 +20,20 @@ std::uint64_t picture_hash(const Image& picture) {
     return hash.digest();
 }
 
+// One camera's picture, as often as asked for.
+void bench_frame(const render::SceneView& view, const world::Viewpoint& viewpoint,
+                 const render::WhittedSettings& settings, const Jobs& jobs, int rounds, render::Film& film) {
+    const double core_start = cpu_ms();
+    const Samples samples = measure(clock_ms, rounds, 1, [&](int) {
+        render::render_whitted(view, render::camera_from(viewpoint), settings, 0, jobs, film);
+    });
+    print_row(viewpoint.name, samples, picture_hash(film.radiance));
+    const auto rays = static_cast<double>(film.stats.total());
+    std::printf("  (core time %.1f ms a frame; %.2f M rays, %.1f a pixel)\n",
+                (cpu_ms() - core_start) / rounds, rays * 1e-6,
+                rays / static_cast<double>(film.radiance.pixels.size()));
+}
+
 }  // namespace
 
 void bench_frames(const std::shared_ptr<const world::Level>& level, int threads, int rounds) {
@@ -41,15 +55,7 @@ void bench_frames(const std::shared_ptr<const world::Level>& level, int threads,
             for (std::size_t i = 0; i < count; ++i) {
                 const world::Viewpoint& viewpoint = level->viewpoints[i * level->viewpoints.size() / count];
                 render::Film film(width, height);
-                const double core_start = cpu_ms();
-                const Samples samples = measure(clock_ms, rounds, 1, [&](int) {
-                    render::render_whitted({*level, now, prepared}, render::camera_from(viewpoint), settings,
-                                           0, jobs, film);
-                });
-                print_row(viewpoint.name, samples, picture_hash(film.radiance));
-                std::printf("  (core time %.1f ms a frame; %.2f M rays, %.1f a pixel)\n",
-                            (cpu_ms() - core_start) / rounds, static_cast<double>(film.stats.total()) * 1e-6,
-                            static_cast<double>(film.stats.total()) / (width * height));
+                bench_frame({*level, now, prepared}, viewpoint, settings, jobs, rounds, film);
             }
         }
     }

@@ -74,6 +74,17 @@ void bench_light(const world::Level& level, const world::Snapshot& now,
                 static_cast<double>(most), bodies.size());
 }
 
+void look(const world::Snapshot& now, std::span<const sense::Eye> eyes, const sense::BodyPoints& points,
+          bool in_mirrors, std::span<sense::Sighting> seen) {
+    sense::Body body{.point = points};
+    body.lit.fill(1.0f);
+    if (in_mirrors) {
+        sense::mirror_sight(*now.scene, now.panes, eyes, body, seen);
+    } else {
+        sense::sight(*now.scene, eyes, body, seen);
+    }
+}
+
 void bench_eyes(const world::Snapshot& now, std::span<const glm::vec3> places,
                 std::span<const sense::BodyPoints> bodies, int rounds) {
     std::vector<sense::Eye> eyes;
@@ -87,17 +98,10 @@ void bench_eyes(const world::Snapshot& now, std::span<const glm::vec3> places,
     for (const bool in_mirrors : {false, true}) {
         Hasher hash;
         const Samples samples = measure(cpu_ms, rounds, bodies.size() * eyes.size(), [&](int round) {
-            for (const sense::BodyPoints& point : bodies) {
-                sense::Body body{.point = point};
-                body.lit.fill(1.0f);
-                if (in_mirrors) {
-                    sense::mirror_sight(*now.scene, now.panes, eyes, body, seen);
-                } else {
-                    sense::sight(*now.scene, eyes, body, seen);
-                }
-                for (const sense::Sighting& s : seen) {
-                    if (round == 0) hash.add(s.seen);
-                }
+            for (const sense::BodyPoints& points : bodies) {
+                look(now, eyes, points, in_mirrors, seen);
+                if (round != 0) continue;
+                for (const sense::Sighting& s : seen) hash.add(s.seen);
             }
         });
         print_row(in_mirrors ? "sight in mirrors, one eye" : "sight, one eye", samples, hash.digest());

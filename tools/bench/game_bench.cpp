@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 
 namespace {
 
@@ -55,9 +56,7 @@ int refuse(const std::string& sentence) {
     return 2;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int bench_all(int argc, char** argv) {
     const Options options = read_options(argc, argv);
     if (!options.isa.empty()) {
         const std::optional<rc::Isa> isa = rc::isa_from_name(options.isa);
@@ -86,4 +85,15 @@ int main(int argc, char** argv) {
     bench::bench_ticks(level, commands, options.rounds);
     if (!options.without_frames) bench::bench_frames(level, options.threads, options.rounds);
     return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return bench_all(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "game_bench: %s\n", error.what());
+        return 2;
+    }
 }

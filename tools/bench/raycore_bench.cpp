@@ -14,6 +14,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <exception>
 #include <functional>
 
 namespace {
@@ -113,9 +114,7 @@ bool run(bench::Report& report, const Options& options) {
     return true;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int bench_all(int argc, char** argv) {
     Options options = read_options(argc, argv);
     if (!options.isa.empty()) {
         const std::optional<rc::Isa> isa = rc::isa_from_name(options.isa);
@@ -140,4 +139,15 @@ int main(int argc, char** argv) {
         bench::bench_same_bits(report, errors);
     }
     return options.json.empty() || report.write_json(options.json) ? 0 : 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return bench_all(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "raycore_bench: %s\n", error.what());
+        return 2;
+    }
 }
