@@ -4,6 +4,7 @@
 #include "filter/rows.h"
 #include "filter/variance.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <utility>
@@ -11,6 +12,8 @@
 namespace gh::filter {
 
 namespace {
+
+constexpr int kMostAtFirst = 5;  // a-trous levels
 
 // How far light off gloss may be blurred, in pixels: the lobe of a surface seen from a few metres widens about so.
 float stiffness_of(float roughness) {
@@ -58,8 +61,10 @@ void Denoiser::accumulate_track(const Plane3& light, const Plane& change, const 
 void Denoiser::smooth_tracks(const Step& step) {
     std::array<Smoothing, 3> all;
     std::size_t count = 0;
-    const auto add = [&](Track& track, const AtrousSettings& settings) {
+    const int more = seen_.part.empty() ? step.settings.more_levels_at_first : 0;
+    const auto add = [&](Track& track, AtrousSettings settings) {
         if (track.smooth == nullptr || settings.levels == 0) return;
+        settings.levels = std::max(settings.levels, std::min(settings.levels + more, kMostAtFirst));
         all[count++] = {{&track.mean.light, &track.variance}, settings, track.scratch};
         track.smooth = &track.scratch[(settings.levels - 1) % 2].light;
     };

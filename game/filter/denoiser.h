@@ -32,6 +32,8 @@ struct DenoiseSettings {
     AtrousSettings direct{.levels = 2};
     AtrousSettings indirect{.levels = 3, .luminance_sigmas = 8.0f};  // no edges of its own to keep
     AtrousSettings specular{.levels = 2, .luminance_sigmas = 5.0f};
+    // So many more, up to five, while nothing is known of the past: still pictures, and the first one after a cut.
+    int more_levels_at_first = 2;
     bool settles = true;  // whether unknown changes are looked for
     float settle_sigmas = 2.0f;
     // Light::change_then counts so many times: a little noise for a moment is less to be seen than light that lingers.

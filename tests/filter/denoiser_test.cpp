@@ -79,6 +79,27 @@ TEST(Denoiser, LeavesATwentiethOfTheNoiseAndLessWithEveryFrameOfAWalk) {
     EXPECT_GT(last_gain, 20.0);
 }
 
+// Who renders one picture has nothing to add up, and sees the blotches that the next frames would take away.
+TEST(Denoiser, AStillPictureIsSmoothedFurtherThanAFrameOfManyAndErrsLess) {
+    const Jobs jobs(1);
+    const test::Frame frame = test::render({}, kWidth, kHeight, 0);
+    const Plane3 truth = test::total(frame.truth);
+    double left[2] = {};
+    for (const int more : {0, 2}) {
+        Plane3 out;
+        Denoiser().denoise(frame.surfaces, frame.noisy, {.more_levels_at_first = more}, jobs, out);
+        left[more / 2] = test::rel_mse(out, truth);
+    }
+    EXPECT_LT(left[1], 0.9 * left[0]);
+    Denoiser wide, narrow;
+    Plane3 a, b;
+    for (int i = 0; i < 2; ++i) {
+        wide.denoise(frame.surfaces, frame.noisy, {.more_levels_at_first = 2}, jobs, a);
+        narrow.denoise(frame.surfaces, frame.noisy, {.more_levels_at_first = 0}, jobs, b);
+    }
+    EXPECT_TRUE(same_bits(a, b)) << "the second frame is like any other";
+}
+
 // A room in constant light: whatever the filter does with weights, light times albedo must come out again. The chain
 // rounds about thirty times on the way; 1e-5 is a hundred roundings.
 TEST(Denoiser, ConstantLightOnATextureComesOutAsItWentIn) {
