@@ -39,7 +39,8 @@ void swing(const BenchScene& cloth, int frame, std::vector<glm::vec3>& out) {
 glm::mat4x3 place_of(std::size_t i, int frame) {
     const float angle = 0.1f * static_cast<float>(frame) + 0.7f * static_cast<float>(i);
     const float c = std::cos(angle), s = std::sin(angle);
-    const float x = static_cast<float>(i % 100) * 1.5f, z = static_cast<float>(i / 100) * 1.5f;
+    const std::size_t row = i / 100;
+    const float x = static_cast<float>(i % 100) * 1.5f, z = static_cast<float>(row) * 1.5f;
     return {glm::vec3(c, 0, -s), glm::vec3(0, 1, 0), glm::vec3(s, 0, c),
             glm::vec3(x + 0.4f * c, 0.2f * s, z + 0.4f * s)};
 }

@@ -34,8 +34,7 @@ std::unique_ptr<EmbreePlaced> place_in_embree(const gh::world::Level& level, con
 
 void report_counts(Report& report, const rc::Scene& placed, const RaycoreSide& whole,
                    const std::vector<RaySet>& sets) {
-    std::vector<std::string> columns;
-    for (const RaySet& set : sets) columns.push_back(set.name);
+    const std::vector<std::string> columns = names_of(sets);
     report.table("museum as committed: instances, nodes, leaves a ray", "trees", columns);
     const auto row = [&](const char* name, auto&& count) {
         report.row(name);

@@ -84,8 +84,7 @@ void report_trees(Report& report, const Field& field, const std::string& title,
 // The comparisons somebody who would otherwise take Embree asks for.
 void report_ratios(Report& report, const Field& field, const std::string& title,
                    const std::vector<RaySet>& sets, const RaceResult& result) {
-    std::vector<std::string> columns;
-    for (const RaySet& set : sets) columns.push_back(set.name);
+    const std::vector<std::string> columns = names_of(sets);
     report.table(title + ": ratios, round by round [quartiles]", "raycore high / embree high", columns);
     const auto row = [&](const char* name, std::size_t ours, auto&& theirs) {
         report.row(name);

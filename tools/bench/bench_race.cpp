@@ -74,8 +74,7 @@ Samples ratio_of(const Samples& a, const Samples& b) {
 
 void report_race(Report& report, const std::string& title, const std::vector<Contestant>& contestants,
                  const std::vector<RaySet>& sets, const RaceResult& result, std::size_t reference) {
-    std::vector<std::string> columns;
-    for (const RaySet& set : sets) columns.push_back(set.name);
+    const std::vector<std::string> columns = names_of(sets);
     report.table(title + ": Mrays/s (ratio to " + contestants[reference].name + ")", "who", columns);
     for (std::size_t c = 0; c < contestants.size(); ++c) {
         report.row(contestants[c].name);
@@ -86,8 +85,7 @@ void report_race(Report& report, const std::string& title, const std::vector<Con
 
 void report_answers(Report& report, const std::string& title, const std::vector<Contestant>& contestants,
                     const std::vector<RaySet>& sets, const RaceResult& result) {
-    std::vector<std::string> columns;
-    for (const RaySet& set : sets) columns.push_back(set.name);
+    const std::vector<std::string> columns = names_of(sets);
     report.table(title + ": hits and hash of the answers", "who", columns);
     for (std::size_t c = 0; c < contestants.size(); ++c) {
         report.row(contestants[c].name);

@@ -23,8 +23,9 @@ std::vector<rc::Ray> primary_rays(const Camera& camera, int keep) {
         for (int tx = 0; tx < kWidth; tx += kTile) {
             if (tile++ % keep != 0) continue;
             for (int i = 0; i < kTile * kTile; ++i) {
-                const float x = (2.0f * (float(tx + i % kTile) + 0.5f) - kWidth) / kHeight * half;
-                const float y = (1.0f - 2.0f * (float(ty + i / kTile) + 0.5f) / kHeight) * half;
+                const int column = tx + i % kTile, row = ty + i / kTile;
+                const float x = (2.0f * (float(column) + 0.5f) - kWidth) / kHeight * half;
+                const float y = (1.0f - 2.0f * (float(row) + 0.5f) / kHeight) * half;
                 rays.push_back(
                     {.origin = camera.position, .direction = glm::normalize(forward + right * x + up * y)});
             }

@@ -17,6 +17,13 @@ struct RaySet {
     std::vector<rc::Ray> rays;
 };
 
+[[nodiscard]] inline std::vector<std::string> names_of(const std::vector<RaySet>& sets) {
+    std::vector<std::string> names;
+    names.reserve(sets.size());
+    for (const RaySet& set : sets) names.push_back(set.name);
+    return names;
+}
+
 // What was answered, in so few words that nobody's loop is slowed by them.
 struct Answer {
     std::uint64_t hits = 0;

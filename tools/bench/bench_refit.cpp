@@ -42,8 +42,8 @@ Mover make_cloth() {
     }
     for (const float share : {0.02f, 0.05f, 0.1f, 0.25f, 0.5f}) {
         test::Random random(8);
-        std::vector<glm::vec3> knots;
-        for (int i = 0; i < 12; ++i) knots.push_back(random.in_cube(0.5f));
+        std::vector<glm::vec3> knots(12);
+        for (glm::vec3& knot : knots) knot = random.in_cube(0.5f);
         Pose pose{"crumpled by " + std::to_string(share).substr(0, 4), sheet.positions};
         for (std::size_t i = 0; i < pose.positions.size(); ++i) {
             const glm::vec3& p = sheet.positions[i];
