@@ -52,18 +52,6 @@ void light_from(const render::FilmPlanes& planes, filter::Light& out) {
     filter::planes_from(planes.clean, out.clean);
 }
 
-filter::JitteredFrame jittered_frame(const render::Film& film, const render::Camera& camera,
-                                     glm::vec2 jitter) {
-    const render::Lens lens(camera, film.radiance.width, film.radiance.height);
-    return {
-        .radiance = film.radiance,
-        .lens = {.eye = lens.position(), .corner = lens.corner(), .right = lens.right(), .down = lens.down()},
-        .jitter = jitter,
-        .part = film.planes.part,
-        .position = film.planes.position,
-        .previous = film.planes.previous};
-}
-
 void FilmDenoiser::denoise(render::Film& film, const Jobs& jobs, const filter::DenoiseSettings& settings,
                            const filter::Plane& change_then) {
     EXPECTS(!film.planes.part.empty());

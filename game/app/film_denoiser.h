@@ -6,18 +6,12 @@
 
 #include "base/jobs.h"
 #include "filter/denoiser.h"
-#include "filter/temporal_upscale.h"
-#include "render/camera.h"
 #include "render/film.h"
 
 namespace gh::app {
 
 void gbuffer_from(const render::FilmPlanes& planes, filter::GBuffer& out);
 void light_from(const render::FilmPlanes& planes, filter::Light& out);
-
-// The film's picture and surfaces for the upscaler, which borrows them. `jitter` is what the renderer was given.
-[[nodiscard]] filter::JitteredFrame jittered_frame(const render::Film& film, const render::Camera& camera,
-                                                   glm::vec2 jitter);
 
 class FilmDenoiser {
   public:

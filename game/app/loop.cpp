@@ -163,36 +163,36 @@ void Loop::run_tick() {
     if (sound_) sound_->note_tick(*session_.level, *now);
 }
 
-void Loop::expose(const render::SceneView& scene, const render::Camera& camera, glm::ivec2 shown) {
+void Loop::expose(const render::SceneView& scene, const render::Camera& camera, const PictureShape& shape) {
     const Quality quality = quality_of(settings_.quality);
     if (traced_ || plane_ != PlaneView::Picture) {
         const render::PathSettings path = following(quality.path, traced_.value_or(render::LightPaths::All));
-        view_.expose_next(scene, camera, path, frame_, shown, *session_.jobs);
+        view_.expose_next(scene, camera, path, quality.whitted, frame_, shape, *session_.jobs);
     } else {
-        view_.expose_next(scene, camera, quality.whitted, frame_, shown, *session_.jobs);
+        view_.expose_next(scene, camera, quality.whitted, frame_, shape, *session_.jobs);
     }
 }
 
 void Loop::draw() {
     const Quality quality = quality_of(settings_.quality);
     resolution_.bound(quality.fewest_pixels, quality.most_pixels);
-    const glm::ivec2 size = resolution_.size_for(window_.framebuffer_size());
+    const PictureShape shape = resolution_.shape_for(window_.framebuffer_size());
     const std::shared_ptr<const world::Snapshot> now = session_.simulation->snapshot();
     const render::Camera camera = player_camera(now->state.player, settings_.field_of_view * kRadiansADegree);
     frame_watch_.begin_round();
-    if (size.x > 0) {
+    if (shape.lit.x > 0) {
         frame_watch_.enter("render");
         const Clock::time_point start = Clock::now();
-        view_.resize(size.x, size.y);
         if (!seen_before_ || seen_before_->state.tick > now->state.tick) view_.forget();
         const render::SceneView scene{*session_.level, *now, *session_.prepared, seen_before_.get()};
-        expose(scene, camera, resolution_.shown_size(size, window_.framebuffer_size()));
+        expose(scene, camera, shape);
         seen_before_ = now;
         frame_watch_.enter("filter");
         view_.develop(frame_, picture_seconds_, settings_.brightness, *session_.jobs);
         if (plane_ != PlaneView::Picture) view_.develop_plane(plane_, *session_.jobs);
         const float ticks_ms = tick_watch_.round_ms() * settings_.frames_a_second / 60.0f;
-        resolution_.note_frame(milliseconds_since(start) + ticks_ms, 1000.0f / settings_.frames_a_second);
+        resolution_.note_frame(milliseconds_since(start) + ticks_ms, 1000.0f / settings_.frames_a_second,
+                               window_.framebuffer_size());
         picture_seconds_ = 0.0f;
         ++frame_;
     }
@@ -213,8 +213,9 @@ void Loop::draw_ui(const render::Camera& camera) {
     if (shows_profiler_) {
         present::ProfileModel model = profile_model(frame_watch_, tick_watch_, view_.film().stats);
         const glm::ivec2 window_size = window_.framebuffer_size();
-        model.machine = fmt::format("{} threads, {}, {}x{} -> {}x{}", session_.jobs->threads(),
-                                    rc::isa_name(rc::active_isa()), view_.picture().width,
+        model.machine = fmt::format("{} threads, {}, {}x{} lit -> {}x{} -> {}x{}", session_.jobs->threads(),
+                                    rc::isa_name(rc::active_isa()), view_.film().radiance.width,
+                                    view_.film().radiance.height, view_.picture().width,
                                     view_.picture().height, window_size.x, window_size.y);
         present::draw_profiler(model);
     }

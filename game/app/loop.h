@@ -41,7 +41,7 @@ class Loop {
     void advance_time();
     void run_tick();
     void draw();
-    void expose(const render::SceneView& scene, const render::Camera& camera, glm::ivec2 shown);
+    void expose(const render::SceneView& scene, const render::Camera& camera, const PictureShape& shape);
     void draw_ui(const render::Camera& camera);
     void obey(present::MenuAction action);
     Result<void> begin_recording(const std::filesystem::path& path);

@@ -5,10 +5,9 @@
 namespace gh::app {
 
 Quality quality_of(present::QualityName name) {
-    // Frames are added up to twice their size, so textures are blurred to half a pixel.
-    Quality quality{.whitted = {.texture_taps = 4.0f, .texture_blur = 0.5f, .is_adaptive = true},
+    Quality quality{.whitted = {.texture_taps = 4.0f, .is_adaptive = true},
                     .path = render::realtime_path(),
-                    .fewest_pixels = 240.0f * 135.0f,  // with fewer a room can not be read
+                    .fewest_pixels = 160.0f * 90.0f,  // with fewer a room can not be read
                     .most_pixels = 3840.0f * 2160.0f};
     switch (name) {
         case present::QualityName::Low:
@@ -17,7 +16,7 @@ Quality quality_of(present::QualityName name) {
             quality.whitted.max_depth = 4;
             quality.path.texture_taps = 2.0f;
             quality.path.max_depth = 4;
-            quality.fewest_pixels = 192.0f * 108.0f;
+            quality.fewest_pixels = 128.0f * 72.0f;
             quality.most_pixels = 640.0f * 360.0f;
             break;
         case present::QualityName::Medium:
@@ -26,14 +25,14 @@ Quality quality_of(present::QualityName name) {
             quality.whitted.texture_taps = 8.0f;
             quality.whitted.contrast = 0.1f;
             quality.path.texture_taps = 8.0f;
-            quality.fewest_pixels = 400.0f * 225.0f;
+            quality.fewest_pixels = 240.0f * 135.0f;
             break;
         case present::QualityName::Ultra:
             quality.whitted.texture_taps = 8.0f;
             quality.whitted.is_adaptive = false;
             quality.path.texture_taps = 8.0f;
             quality.path.max_scatters = 2;
-            quality.fewest_pixels = 640.0f * 360.0f;
+            quality.fewest_pixels = 320.0f * 180.0f;
             break;
     }
     return quality;

@@ -9,8 +9,29 @@ namespace gh::app {
 
 namespace {
 
+constexpr int kMostStep = 3;
+constexpr float kNarrowest = 96.0f;  // lit pixels across
+constexpr float kSurely = 1.05f;     // so much time as for a little more than all of them
+
 int multiple_of_8(float length) {
     return std::max(8, static_cast<int>(std::lround(length / 8.0f)) * 8);
+}
+
+float area(glm::ivec2 size) {
+    return static_cast<float>(size.x) * static_cast<float>(size.y);
+}
+
+// Lit pixels when the whole framebuffer is shown and one in every step x step is lit.
+float lit_of(float framebuffer, int step) {
+    return framebuffer / static_cast<float>(step * step);
+}
+
+// The smallest step for which so many pixels are enough to show the whole framebuffer; 0: there is none.
+int step_for(float pixels, float framebuffer) {
+    for (int step = 1; step <= kMostStep; ++step) {
+        if (pixels >= lit_of(framebuffer, step) * 0.999f) return step;
+    }
+    return 0;
 }
 
 }  // namespace
@@ -22,29 +43,38 @@ void Resolution::bound(float fewest_pixels, float most_pixels) {
     pixels_ = std::clamp(pixels_, fewest_pixels_, most_pixels_);
 }
 
-void Resolution::note_frame(float render_ms, float wanted_ms) {
-    if (!(render_ms > 0.0f) || !(wanted_ms > 0.0f)) return;
+void Resolution::note_frame(float render_ms, float wanted_ms, glm::ivec2 framebuffer) {
+    if (!(render_ms > 0.0f) || !(wanted_ms > 0.0f) || !(area(framebuffer) > 0.0f)) return;
     smoothed_ms_ = smoothed_ms_ == 0.0f ? render_ms : smoothed_ms_ + 0.3f * (render_ms - smoothed_ms_);
     const float ratio = wanted_ms / smoothed_ms_;
     if (std::abs(ratio - 1.0f) < 0.1f) return;
-    const float step = std::clamp(ratio, 0.75f, 1.25f);
-    const float before = pixels_;
-    pixels_ = std::clamp(pixels_ * step, fewest_pixels_, most_pixels_);
+    const float all = area(framebuffer), before = pixels_;
+    const int step = step_for(pixels_, all);
+    float wanted = pixels_ * std::clamp(ratio, 0.75f, 1.25f);
+    if (step == 0) {
+        wanted = std::min(wanted, lit_of(all, kMostStep));
+    } else {
+        const float here = lit_of(all, step);
+        wanted = here;
+        if (ratio > 1.0f && step > 1) {
+            const float next = lit_of(all, step - 1);
+            if (ratio * here >= kSurely * next) wanted = next;
+        } else if (ratio < 1.0f) {
+            wanted = step < kMostStep ? lit_of(all, step + 1) : here * std::max(0.75f, ratio);
+        }
+    }
+    pixels_ = std::clamp(wanted, fewest_pixels_, most_pixels_);
     smoothed_ms_ *= pixels_ / before;  // the next picture is expected to take that much
 }
 
-glm::ivec2 Resolution::size_for(glm::ivec2 framebuffer) const {
-    if (framebuffer.x <= 0 || framebuffer.y <= 0) return {0, 0};
-    const float width = static_cast<float>(framebuffer.x);
-    const float height = static_cast<float>(framebuffer.y);
-    const float wanted = std::sqrt(pixels_ / (width * height));
-    const float scale = std::clamp(wanted, std::min(1.0f, 160.0f / width), 1.0f);
-    if (scale == 1.0f) return framebuffer;
-    return {multiple_of_8(width * scale), multiple_of_8(height * scale)};
-}
-
-glm::ivec2 Resolution::shown_size(glm::ivec2 rendered, glm::ivec2 framebuffer) {
-    return {std::min(2 * rendered.x, framebuffer.x), std::min(2 * rendered.y, framebuffer.y)};
+PictureShape Resolution::shape_for(glm::ivec2 framebuffer) const {
+    if (framebuffer.x <= 0 || framebuffer.y <= 0) return {};
+    const int step = step_for(pixels_, area(framebuffer));
+    if (step > 0) return {(framebuffer + step - 1) / step, step};
+    const float width = static_cast<float>(framebuffer.x), height = static_cast<float>(framebuffer.y);
+    const float scale = std::clamp(std::sqrt(pixels_ / (width * height)),
+                                   std::min(1.0f / kMostStep, kNarrowest / width), 1.0f / kMostStep);
+    return {{multiple_of_8(width * scale), multiple_of_8(height * scale)}, kMostStep};
 }
 
 }  // namespace gh::app

@@ -1,5 +1,9 @@
 // app/resolution.h - trades pixels for time, so that the frame rate a player chose is held.
 //
+// What is seen is traced in every pixel of the picture, light in one of every `step` x `step` (filter/temporal_upscale.h).
+// A slow machine lights every ninth and shows a smaller picture; one that shows all of the window's pixels lights more of
+// them, as far as it can.
+//
 // Same bits a pure function of the frame times it is given; the simulation never sees any of it.
 #pragma once
 
@@ -7,30 +11,34 @@
 
 namespace gh::app {
 
+struct PictureShape {
+    glm::ivec2 lit{0};  // size of what light is worked out in
+    int step = 1;       // 1 to 3
+    [[nodiscard]] glm::ivec2 shown() const { return lit * step; }
+    [[nodiscard]] bool operator==(const PictureShape&) const = default;
+};
+
 class Resolution {
   public:
-    // The picture has at least and at most so many pixels, where the window has them.
+    // Light is worked out in at least and at most so many pixels, where the window has them.
     void bound(float fewest_pixels, float most_pixels);
 
-    // Tells how long the last picture took; the size moves by at most a quarter at a time, and only when the time is
-    // off by more than a tenth, so that the picture does not breathe.
-    void note_frame(float render_ms, float wanted_ms);
+    // Tells how long the last picture for a framebuffer of this size took; the number of lit pixels moves by at most a
+    // quarter at a time, and only when the time is off by more than a tenth, so that the picture does not breathe. From
+    // every ninth to every fourth and to all it goes once there is time for that.
+    void note_frame(float render_ms, float wanted_ms, glm::ivec2 framebuffer);
 
-    // The size to render for a framebuffer of this size: its shape, at most its size, and at least as many pixels as
-    // bound() says (240 x 135 unless it was called), or all of a smaller window. Both sides are multiples of 8 unless it is the whole framebuffer.
-    // {0, 0} for one without area.
-    [[nodiscard]] glm::ivec2 size_for(glm::ivec2 framebuffer) const;
-
-    // The size to add such pictures up to: twice each side, at most the framebuffer.
-    [[nodiscard]] static glm::ivec2 shown_size(glm::ivec2 rendered, glm::ivec2 framebuffer);
+    // What to render for a framebuffer of this size: its shape, and nowhere more than a pixel larger. Less than the whole
+    // has sides that are multiples of 8 times the step. {0, 0} for one without area.
+    [[nodiscard]] PictureShape shape_for(glm::ivec2 framebuffer) const;
 
     [[nodiscard]] float pixels() const { return pixels_; }
 
   private:
     float pixels_ =
-        320.0f * 180.0f;  // to begin with: a slow machine answers at once, a fast one grows within a second
+        160.0f * 90.0f;  // to begin with: a slow machine answers at once, a fast one grows within a second
     float smoothed_ms_ = 0.0f;
-    float fewest_pixels_ = 240.0f * 135.0f;  // with fewer a room can not be read
+    float fewest_pixels_ = 160.0f * 90.0f;  // with fewer a room can not be read
     float most_pixels_ = 3840.0f * 2160.0f;
 };
 

@@ -133,16 +133,14 @@ void View::expose(const render::SceneView& scene, const render::Camera& camera,
 }
 
 void View::expose_next(const render::SceneView& scene, const render::Camera& camera,
-                       render::WhittedSettings settings, std::uint32_t frame, glm::ivec2 shown,
+                       render::WhittedSettings settings, std::uint32_t frame, const PictureShape& shape,
                        const Jobs& jobs) {
-    settings.jitter = filter::halton_jitter(frame);
-    settings.notes_things = true;
+    resize(shape.lit.x, shape.lit.y);
+    settings.jitter = guided_.begin(scene, camera, settings, frame, shape, jobs);
+    settings.texture_blur = GuidedPicture::texture_blur(shape.step);
+    settings.is_adaptive = settings.is_adaptive && shape.step == 1;  // few pixels have little between them
     expose(scene, camera, settings, frame, jobs);
-    add_up(camera, settings.jitter, shown, jobs);
-}
-
-void View::add_up(const render::Camera& camera, glm::vec2 jitter, glm::ivec2 shown, const Jobs& jobs) {
-    upscaler_.add(jittered_frame(film_, camera, jitter), shown, jobs, added_up_);
+    guided_.add(film_.radiance, jobs, added_up_);
     is_added_up_ = true;
 }
 
@@ -162,12 +160,15 @@ void View::expose(const render::SceneView& scene, const render::Camera& camera,
 }
 
 void View::expose_next(const render::SceneView& scene, const render::Camera& camera,
-                       render::PathSettings settings, std::uint32_t frame, glm::ivec2 shown,
-                       const Jobs& jobs) {
+                       render::PathSettings settings, const render::WhittedSettings& looks,
+                       std::uint32_t frame, const PictureShape& shape, const Jobs& jobs) {
+    resize(shape.lit.x, shape.lit.y);
     if (exposure_ > 0.0f) settings.most_indirect = kClamp / exposure_;
-    settings.jitter = filter::halton_jitter(frame);
+    settings.jitter = guided_.begin(scene, camera, looks, frame, shape, jobs);
+    settings.texture_blur = GuidedPicture::texture_blur(shape.step);
     expose(scene, camera, settings, frame, jobs);
-    add_up(camera, settings.jitter, shown, jobs);
+    guided_.add(film_.radiance, jobs, added_up_);
+    is_added_up_ = true;
 }
 
 const Image8& View::develop(std::uint32_t frame, float seconds, float stops, const Jobs& jobs) {

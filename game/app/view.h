@@ -2,13 +2,13 @@
 #pragma once
 
 #include "app/film_denoiser.h"
+#include "app/guided_picture.h"
 #include "app/options.h"
 #include "app/plane_view.h"
 #include "app/reshading.h"
 #include "base/image.h"
 #include "base/jobs.h"
 #include "base/result.h"
-#include "filter/temporal_upscale.h"
 #include "render/camera.h"
 #include "render/environment.h"
 #include "render/film.h"
@@ -62,21 +62,22 @@ class View {
     // Fills the film.
     void expose(const render::SceneView& scene, const render::Camera& camera,
                 const render::WhittedSettings& settings, std::uint32_t frame, const Jobs& jobs);
-    // The same for one of many pictures in a row: samples lie elsewhere in every frame, and frames are added up to
-    // `shown` pixels. `forget` begins anew, after a cut.
+    // The same for one of many pictures in a row: lit in few pixels, shown in many, and added up. `forget` begins anew,
+    // after a cut.
     void expose_next(const render::SceneView& scene, const render::Camera& camera,
-                     render::WhittedSettings settings, std::uint32_t frame, glm::ivec2 shown,
+                     render::WhittedSettings settings, std::uint32_t frame, const PictureShape& shape,
                      const Jobs& jobs);
     // By path tracing. Denoised if it fills planes.
     void expose(const render::SceneView& scene, const render::Camera& camera,
                 const render::PathSettings& settings, std::uint32_t frame, const Jobs& jobs);
-    // The next of many by path tracing, as fast and as clean as it can be: one sample a pixel, denoised over the frames
-    // and added up to `shown` pixels.
+    // The next of many by path tracing, as fast and as clean as it can be: one sample a lit pixel, denoised over the
+    // frames. `looks` as GuidedPicture has it.
     void expose_next(const render::SceneView& scene, const render::Camera& camera,
-                     render::PathSettings settings, std::uint32_t frame, glm::ivec2 shown, const Jobs& jobs);
+                     render::PathSettings settings, const render::WhittedSettings& looks, std::uint32_t frame,
+                     const PictureShape& shape, const Jobs& jobs);
     void forget() {
         reshading_.forget();
-        upscaler_.forget();
+        guided_.forget();
         denoiser_.forget();
     }
     // What was exposed last as a screen shows it. `seconds` since the last picture: the eye adapts, the first time at once. `stops`
@@ -95,11 +96,10 @@ class View {
     [[nodiscard]] const Image8& picture() const { return picture_; }
 
   private:
-    void add_up(const render::Camera& camera, glm::vec2 jitter, glm::ivec2 shown, const Jobs& jobs);
     [[nodiscard]] const Image& radiance() const { return is_added_up_ ? added_up_ : film_.radiance; }
 
     render::Film film_;
-    filter::TemporalUpscaler upscaler_;
+    GuidedPicture guided_;
     Image added_up_;
     bool is_added_up_ = false;  // the last picture is there, not in the film
     FilmDenoiser denoiser_;

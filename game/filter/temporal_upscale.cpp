@@ -8,253 +8,282 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace gh::filter {
 
 namespace {
 
-constexpr float kStillWeight = 10.0f;   // samples a mean goes over where nothing moves ...
-constexpr float kMovingWeight = 2.0f;   // ... and where each frame moves it, which blurs it a little
-constexpr float kNearness = 1.2f;       // a sample d large pixels away counts exp(-kNearness d^2) ...
-constexpr float kLeastCount = 0.03f;    // ... at least this
-constexpr float kSlack = 0.5f;          // of the range of colours around, beyond which nothing is believed
-constexpr float kSlides = 0.3f;         // large pixels a frame by which one thing slides along another
-constexpr float kSameDistance = 0.05f;  // of a distance from the eye
+constexpr float kStillCount = 10.0f;  // samples a mean of light goes over where nothing moves ...
+constexpr float kMovingCount =
+    2.0f;                          // ... and where each frame moves it: it blurs, and what is mirrored lags
+constexpr float kNearness = 2.5f;  // a sample d pixels away counts exp(-kNearness d^2) ...
+constexpr float kLeastCount = 0.02f;    // ... at least this,
+constexpr float kMovingLeast = 0.5f;    // or this where things move: what is mirrored slides along
+constexpr float kSlack = 0.5f;          // of the range of samples around, beyond which nothing is believed
+constexpr float kReach = 2.0f;          // of a lit pixel's size: how far one surface leaves its own plane
+constexpr float kSameFacing = 0.8f;     // least cosine between the normals of one surface
+constexpr float kSameDistance = 0.03f;  // of a distance from the eye
 constexpr float kFar = 1e4f;            // metres to the sky
-constexpr float kStays = 1e-4f;         // of a distance from the eye: rounding moves things by less
 
 bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-// Where a picture point that shows `p` lies, in widths and heights of the picture; far outside behind the eye.
-glm::vec2 place_of(const glm::vec3& p, const glm::vec3& eye, const glm::mat3& picture_from_world,
-                   const glm::ivec2& size) {
-    const glm::vec3 at = picture_from_world * (p - eye);
-    if (!(at.z > 0.0f)) return glm::vec2(-10.0f);
-    return glm::vec2(at.x, at.y) / (at.z * glm::vec2(size));
 }
 
 glm::mat3 picture_from_world(const Pinhole& lens) {
     return glm::inverse(glm::mat3(lens.right, lens.down, lens.corner));
 }
 
-// Weights of the four numbers around a place `t` after the second.
-std::array<float, 4> catmull_rom(float t) {
-    const float t2 = t * t, t3 = t2 * t;
-    return {0.5f * (2.0f * t2 - t3 - t), 0.5f * (3.0f * t3 - 5.0f * t2 + 2.0f),
-            0.5f * (4.0f * t2 - 3.0f * t3 + t), 0.5f * (t3 - t2)};
-}
-
-float radical_inverse(std::uint32_t i, std::uint32_t base) {
-    float result = 0.0f, digit = 1.0f / static_cast<float>(base);
-    for (; i > 0; i /= base, digit /= static_cast<float>(base))
-        result += static_cast<float>(i % base) * digit;
-    return result;
-}
-
 }  // namespace
 
-glm::vec2 halton_jitter(std::uint32_t i) {
-    constexpr std::uint32_t kPeriod = 32;
-    const std::uint32_t n = i % kPeriod + 1;
-    return glm::vec2(radical_inverse(n, 2), radical_inverse(n, 3)) - 0.5f;
+void TemporalUpscaler::demodulate_row(const GuidedFrame& frame, int v) {
+    for (int u = 0; u < frame.radiance.width; ++u) {
+        const std::size_t i = frame.radiance.index(u, v);
+        const std::size_t at = static_cast<std::size_t>(v * frame.step + frame.offset.y) *
+                                   static_cast<std::size_t>(frame.guide.width) +
+                               static_cast<std::size_t>(u * frame.step + frame.offset.x);
+        const glm::vec3 light =
+            glm::max((frame.radiance.pixels[i] - frame.guide.clean[at]) / frame.guide.albedo[at], 0.0f);
+        Lit& lit = lit_[i];
+        lit.is_known = is_finite(light) && is_finite(frame.radiance.pixels[i]);
+        lit.light = lit.is_known ? light : glm::vec3(0.0f);
+    }
 }
 
-void TemporalUpscaler::gather_row(const JitteredFrame& frame, int y) {
+// Whether two pixels show one surface, that goes on between them. `distance`: of the first, from the eye.
+bool TemporalUpscaler::are_one(const Guide& guide, std::size_t a, std::size_t b, float distance) const {
+    if (guide.part[a] != guide.part[b]) return false;
+    if (guide.part[a] == kNoSurface) return true;
+    if (glm::dot(guide.geometric[a], guide.geometric[b]) < kSameFacing) return false;
+    const glm::vec3 offset = guide.position[b] - guide.position[a];
+    const float reach = reach_ * distance;
+    return std::abs(glm::dot(offset, guide.geometric[a])) < reach &&
+           std::abs(glm::dot(offset, guide.geometric[b])) < reach;
+}
+
+void TemporalUpscaler::find_range_row(const GuidedFrame& frame, int v) {
     const int width = frame.radiance.width, height = frame.radiance.height;
-    const glm::ivec2 size(width, height);
-    const glm::mat3 to_before = picture_from_world(before_);
-    for (int x = 0; x < width; ++x) {
-        const std::size_t i = frame.radiance.index(x, y);
-        Sample& sample = samples_[i];
-        sample.color = frame.radiance.pixels[i];
-        if (!is_finite(sample.color)) sample.color = glm::vec3(0.0f);
-        sample.low = sample.high = sample.color;
-        for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v) {
-            for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u) {
-                const glm::vec3& color = frame.radiance.pixels[frame.radiance.index(u, v)];
-                sample.low = glm::min(sample.low, color);
-                sample.high = glm::max(sample.high, color);
+    const auto in_guide = [&](int x, int y) {
+        return static_cast<std::size_t>(y * frame.step + frame.offset.y) *
+                   static_cast<std::size_t>(frame.guide.width) +
+               static_cast<std::size_t>(x * frame.step + frame.offset.x);
+    };
+    for (int u = 0; u < width; ++u) {
+        Lit& lit = lit_[frame.radiance.index(u, v)];
+        lit.low = lit.high = lit.light;
+        const std::size_t here = in_guide(u, v);
+        const float distance = motion_[here].distance;
+        for (int y = std::max(0, v - 1); y <= std::min(height - 1, v + 1); ++y) {
+            for (int x = std::max(0, u - 1); x <= std::min(width - 1, u + 1); ++x) {
+                const Lit& other = lit_[frame.radiance.index(x, y)];
+                if (!other.is_known || !are_one(frame.guide, here, in_guide(x, y), distance)) continue;
+                lit.low = glm::min(lit.low, other.light);
+                lit.high = glm::max(lit.high, other.light);
             }
         }
-        sample.part = frame.part[i];
-        const glm::vec2 at = (glm::vec2(x, y) + 0.5f + frame.jitter);
-        glm::vec3 was = frame.previous[i];
-        sample.distance = glm::distance(frame.lens.eye, frame.position[i]);
-        if (sample.part == kNoSurface) {
-            const glm::vec3 way = frame.lens.corner + frame.lens.right * at.x + frame.lens.down * at.y;
-            was = frame.lens.eye + glm::normalize(way) * kFar;
-            sample.distance = kFar;
-        }
-        sample.stays =
-            sample.part == kNoSurface || glm::distance(was, frame.position[i]) < kStays * sample.distance;
-        sample.was_distance = sample.part == kNoSurface ? kFar : glm::distance(before_.eye, was);
-        sample.motion = has_history_
-                            ? place_of(was, before_.eye, to_before, before_size_) - at / glm::vec2(size)
-                            : glm::vec2(0.0f);
     }
 }
 
-// What is kept around a place: the colour by a sharp filter, since a mean is moved in every frame and a bilinear one
-// would blur it each time; weight 0 outside the picture.
-TemporalUpscaler::Kept TemporalUpscaler::kept_at(const glm::vec2& place) const {
-    const glm::vec2 at = place * glm::vec2(size_) - 0.5f;
-    if (!(at.x > -1.0f) || !(at.y > -1.0f) || !(at.x < static_cast<float>(size_.x)) ||
-        !(at.y < static_cast<float>(size_.y)))
-        return {};
-    const glm::vec2 floor = glm::floor(at);
-    const glm::ivec2 low(floor);
-    const auto kept = [&](int x, int y) -> const Kept& {
-        return kept_[static_cast<std::size_t>(std::clamp(y, 0, size_.y - 1)) *
-                         static_cast<std::size_t>(size_.x) +
-                     static_cast<std::size_t>(std::clamp(x, 0, size_.x - 1))];
-    };
-    const glm::vec2 share = at - floor;
-    const Kept& nearest = kept(low.x + (share.x < 0.5f ? 0 : 1), low.y + (share.y < 0.5f ? 0 : 1));
-    if (share == glm::vec2(0.0f)) return nearest;
-    const std::array<float, 4> across = catmull_rom(share.x), down = catmull_rom(share.y);
-    Kept result = nearest;
-    result.color = glm::vec3(0.0f);
-    for (int y = 0; y < 4; ++y) {
-        glm::vec3 row(0.0f);
-        for (int x = 0; x < 4; ++x)
-            row += kept(low.x + x - 1, low.y + y - 1).color * across[static_cast<std::size_t>(x)];
-        result.color += row * down[static_cast<std::size_t>(y)];
+TemporalUpscaler::Motion TemporalUpscaler::motion_of(const Guide& guide, int x, int y, std::size_t i) const {
+    Motion motion;
+    const glm::vec2 at = glm::vec2(x, y) + 0.5f + guide.jitter;
+    glm::vec3 was = guide.previous[i];
+    motion.distance = glm::distance(guide.lens.eye, guide.position[i]);
+    if (guide.part[i] == kNoSurface) {
+        const glm::vec3 way = guide.lens.corner + guide.lens.right * at.x + guide.lens.down * at.y;
+        was = guide.lens.eye + glm::normalize(way) * kFar;
+        motion.distance = kFar;
     }
-    // Beside a bulb a sharp filter swings below nothing.
-    const glm::vec3 darkest =
-        glm::min(glm::min(kept(low.x, low.y).color, kept(low.x + 1, low.y).color),
-                 glm::min(kept(low.x, low.y + 1).color, kept(low.x + 1, low.y + 1).color));
-    result.color = glm::max(result.color, darkest * 0.5f);
+    motion.was_distance = glm::distance(before_.eye, was);
+    if (!has_history_) return motion;
+    const glm::vec3 then = picture_before_ * (was - before_.eye);
+    motion.by = then.z > 0.0f ? glm::vec2(then) / then.z - at : glm::vec2(-1e6f);
+    if (!(std::abs(motion.by.x) < 1e6f) || !(std::abs(motion.by.y) < 1e6f)) motion.by = glm::vec2(-1e6f);
+    return motion;
+}
+
+// This frame's light on a pixel's surface, by the lit pixels around it; `count`: what it is worth.
+TemporalUpscaler::Lit TemporalUpscaler::fresh_light(const GuidedFrame& frame, int x, int y, float distance,
+                                                    float& count) const {
+    const int width = frame.radiance.width, height = frame.radiance.height;
+    const std::size_t here = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.guide.width) +
+                             static_cast<std::size_t>(x);
+    const auto step = static_cast<float>(frame.step);
+    const glm::vec2 at = glm::vec2(x - frame.offset.x, y - frame.offset.y) / step;
+    const glm::ivec2 low(glm::floor(at));
+    Lit result;
+    result.low = glm::vec3(1e30f);
+    result.high = glm::vec3(-1e30f);
+    float total = 0.0f;
+    const Lit* nearest = nullptr;
+    float nearest_off = 1e30f;
+    count = 0.0f;
+    for (int corner = 0; corner < 4; ++corner) {
+        const int u = low.x + (corner & 1), v = low.y + (corner >> 1);
+        if (u < 0 || v < 0 || u >= width || v >= height) continue;
+        const glm::vec2 off = at - glm::vec2(u, v);
+        const float weight = (1.0f - std::abs(off.x)) * (1.0f - std::abs(off.y));
+        if (!(weight > 0.0f)) continue;
+        const Lit& lit = lit_[frame.radiance.index(u, v)];
+        if (!lit.is_known) continue;
+        const float off2 = glm::dot(off, off) * step * step;
+        if (off2 < nearest_off) {
+            nearest_off = off2;
+            nearest = &lit;
+        }
+        const std::size_t there = static_cast<std::size_t>(v * frame.step + frame.offset.y) *
+                                      static_cast<std::size_t>(frame.guide.width) +
+                                  static_cast<std::size_t>(u * frame.step + frame.offset.x);
+        if (there != here && !are_one(frame.guide, here, there, distance)) continue;
+        result.light += lit.light * weight;
+        result.low = glm::min(result.low, lit.low);
+        result.high = glm::max(result.high, lit.high);
+        total += weight;
+        count = std::max(count, std::exp(-kNearness * off2));
+    }
+    if (total > 0.0f) {
+        result.light /= total;
+        result.is_known = true;
+        count = std::max(count, kLeastCount);
+    } else if (nearest != nullptr) {
+        result.light = nearest->light;  // of something else, but near
+        count = 0.0f;
+    }
     return result;
 }
 
-// Bilinear between those of the four samples around a place in the small picture that show what `nearest` shows.
-glm::vec3 TemporalUpscaler::smooth(const JitteredFrame& frame, const glm::vec2& place,
-                                   const Sample& nearest) const {
-    const int width = frame.radiance.width, height = frame.radiance.height;
-    const glm::vec2 at = glm::clamp(place - 0.5f, glm::vec2(0.0f), glm::vec2(width - 1, height - 1));
-    const glm::ivec2 low(glm::min(at, glm::vec2(std::max(0, width - 2), std::max(0, height - 2))));
-    const glm::vec2 share = at - glm::vec2(low);
-    glm::vec3 sum(0.0f);
+TemporalUpscaler::Kept TemporalUpscaler::kept_light(const Guide& guide, int x, int y, const Motion& motion,
+                                                    std::uint32_t part) const {
+    Kept result;
+    const glm::vec2 at = glm::vec2(x, y) + motion.by;
+    if (!(at.x > -1.0f) || !(at.y > -1.0f) || !(at.x < static_cast<float>(guide.width)) ||
+        !(at.y < static_cast<float>(guide.height)))
+        return result;
+    const glm::vec2 floor = glm::floor(at);
+    const glm::ivec2 low(floor);
+    const glm::vec2 share = at - floor;
     float total = 0.0f;
-    for (int corner = 0; corner < 4; ++corner) {
-        const bool is_right = (corner & 1) != 0, is_below = (corner & 2) != 0;
-        const Sample& sample =
-            samples_[frame.radiance.index(std::min(low.x + (is_right ? 1 : 0), width - 1),
-                                          std::min(low.y + (is_below ? 1 : 0), height - 1))];
-        const float apart = std::abs(sample.distance - nearest.distance);
-        if (sample.part != nearest.part || apart > 2.0f * kSameDistance * nearest.distance) continue;
-        const float weight = (is_right ? share.x : 1.0f - share.x) * (is_below ? share.y : 1.0f - share.y);
-        sum += sample.color * weight;
+    const auto take = [&](int u, int v, float weight) {
+        if (u < 0 || v < 0 || u >= guide.width || v >= guide.height) return;
+        const Kept& kept = kept_[static_cast<std::size_t>(v) * static_cast<std::size_t>(guide.width) +
+                                 static_cast<std::size_t>(u)];
+        if (kept.part != part || !(kept.count > 0.0f) ||
+            std::abs(kept.distance - motion.was_distance) > kSameDistance * motion.was_distance)
+            return;
+        result.light += kept.light * weight;
+        result.count += kept.count * weight;
         total += weight;
+    };
+    constexpr float kLeast = 1e-3f;
+    for (int corner = 0; corner < 4; ++corner) {
+        const bool right = (corner & 1) != 0, below = (corner & 2) != 0;
+        const float weight = (right ? share.x : 1.0f - share.x) * (below ? share.y : 1.0f - share.y);
+        if (weight > kLeast) take(low.x + (right ? 1 : 0), low.y + (below ? 1 : 0), weight);
     }
-    return total > 0.0f ? sum / total : nearest.color;
-}
-
-// Whether what is kept can be what the sample shows. What stands still may be one part, so distance tells things apart.
-bool TemporalUpscaler::is_same(const Kept& kept, const Sample& sample) {
-    return kept.part == sample.part &&
-           std::abs(kept.distance - sample.was_distance) <= kSameDistance * sample.was_distance;
-}
-
-// At an edge now one side is seen, now the other: both are right unless one slides along the other.
-bool TemporalUpscaler::is_known(const Kept& kept, const std::array<const Sample*, 5>& around) const {
-    const Sample& nearest = *around[0];
-    if (is_same(kept, nearest)) return true;
-    const float parallax = parallax_ * std::abs(1.0f / kept.distance - 1.0f / nearest.was_distance);
-    if ((kept.part == nearest.part || (kept.stays && nearest.stays)) && parallax < kSlides) return true;
-    return std::any_of(around.begin() + 1, around.end(), [&](const Sample* other) {
-        const glm::vec2 slides = (other->motion - nearest.motion) * glm::vec2(size_);
-        return is_same(kept, *other) && glm::dot(slides, slides) < kSlides * kSlides;
-    });
-}
-
-TemporalUpscaler::Kept TemporalUpscaler::renewed(const JitteredFrame& frame, int x, int y) const {
-    const int width = frame.radiance.width, height = frame.radiance.height;
-    const glm::vec2 place = (glm::vec2(x, y) + 0.5f) / glm::vec2(size_);
-    const glm::vec2 small = place * glm::vec2(width, height) - frame.jitter;
-    const int u = std::clamp(static_cast<int>(std::floor(small.x)), 0, width - 1);
-    const int v = std::clamp(static_cast<int>(std::floor(small.y)), 0, height - 1);
-    const Sample& nearest = samples_[frame.radiance.index(u, v)];
-
-    const std::array<const Sample*, 5> around = {
-        &nearest,  //
-        &samples_[frame.radiance.index(std::max(u - 1, 0), v)],
-        &samples_[frame.radiance.index(std::min(u + 1, width - 1), v)],
-        &samples_[frame.radiance.index(u, std::max(v - 1, 0))],
-        &samples_[frame.radiance.index(u, std::min(v + 1, height - 1))]};
-
-    const float moved = std::min(1.0f, 2.0f * glm::length(nearest.motion * glm::vec2(size_)));
-    Kept kept = has_history_ ? kept_at(place + nearest.motion) : Kept{};
-    if (kept.weight > 0.0f) {
-        if (!is_known(kept, around))
-            kept.weight = parallax_ < kSlides * nearest.distance ? std::min(kept.weight, 1.0f) : 0.0f;
-        const glm::vec3 slack = (nearest.high - nearest.low) * kSlack;
-        glm::vec3 believed = glm::clamp(kept.color, nearest.low - slack, nearest.high + slack);
-        // What is proved wrong is given no slack: a lamp's last tenth would linger in it.
-        if (believed != kept.color) believed = glm::clamp(kept.color, nearest.low, nearest.high);
-        // The further it had to be brought back, the less its past is worth.
-        const float off = glm::length(believed - kept.color), size = glm::length(kept.color) + 1e-6f;
-        kept.weight *= 1.0f - std::min(1.0f, off / size);
-        kept.color = believed;
+    if (!(total > 0.0f)) {  // an edge that one frame saw on this side and the other on that
+        const glm::ivec2 near(glm::floor(at + 0.5f));
+        for (int v = near.y - 1; v <= near.y + 1; ++v)
+            for (int u = near.x - 1; u <= near.x + 1; ++u) take(u, v, 1.0f);
     }
-    const glm::vec2 large_per_small = glm::vec2(size_) / glm::vec2(width, height);
-    const glm::vec2 off = (glm::vec2(u, v) + 0.5f - small) * large_per_small;
-    glm::vec3 color = nearest.color;
-    float count = std::max(kLeastCount, std::exp(-kNearness * glm::dot(off, off)));
-    if (kept.weight < 1.0f) {
-        // Nothing to build on: a smooth picture first, which a better sample soon replaces.
-        color = smooth(frame, small, nearest);
-        count = std::max(count, 0.2f);
-    }
-    const float total = kept.weight + count;
-    const float most = kStillWeight + (kMovingWeight - kStillWeight) * moved;
-    return {kept.color + (color - kept.color) * (count / total), std::min(total, most), nearest.distance,
-            nearest.part, nearest.stays};
+    if (!(total > 0.0f)) return {};
+    result.light /= total;
+    result.count /= total;
+    return result;
 }
 
-void TemporalUpscaler::stretch(glm::ivec2 size) {
-    std::vector<Kept> stretched(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+void TemporalUpscaler::light_row(const GuidedFrame& frame, int y) {
+    const Guide& guide = frame.guide;
+    for (int x = 0; x < guide.width; ++x) {
+        const std::size_t i =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(guide.width) + static_cast<std::size_t>(x);
+        const Motion& motion = motion_[i];
+        float count = 0.0f;
+        const Lit fresh = fresh_light(frame, x, y, motion.distance, count);
+        Kept kept = has_history_ ? kept_light(guide, x, y, motion, guide.part[i]) : Kept{};
+        if (kept.count > 0.0f && fresh.is_known) {
+            const glm::vec3 slack = (fresh.high - fresh.low) * kSlack;
+            glm::vec3 believed = glm::clamp(kept.light, fresh.low - slack, fresh.high + slack);
+            // What is proved wrong is given no slack: a lamp's last tenth would linger in it.
+            if (believed != kept.light) believed = glm::clamp(kept.light, fresh.low, fresh.high);
+            // The further it had to be brought back, the less its past is worth.
+            const float off = glm::length(believed - kept.light), size = glm::length(kept.light) + 1e-6f;
+            kept.count *= 1.0f - std::min(1.0f, off / size);
+            kept.light = believed;
+        }
+        if (kept.count < 1.0f && fresh.is_known) count = std::max(count, 0.2f);
+        const float moved = std::min(1.0f, 2.0f * glm::length(motion.by));
+        if (fresh.is_known) count = std::max(count, kMovingLeast * moved);
+        const float total = kept.count + count;
+        const float most = kStillCount + (kMovingCount - kStillCount) * moved;
+        Kept& next = next_[i];
+        next.light = total > 0.0f ? kept.light + (fresh.light - kept.light) * (count / total) : fresh.light;
+        next.count = std::min(total, most);
+        next.distance = motion.distance;
+        next.part = guide.part[i];
+        const glm::vec3 color = next.light * guide.albedo[i] + guide.clean[i];
+        lighted_[i] = is_finite(color) ? color : glm::vec3(0.0f);
+    }
+}
+
+// What is kept has another size: begin with it stretched.
+void TemporalUpscaler::stretch(const Guide& guide) {
+    const glm::ivec2 size(guide.width, guide.height);
+    std::vector<Kept> stretched(guide.part.size());
+    std::vector<glm::vec3> picture(guide.part.size());
     for (int y = 0; has_history_ && y < size.y; ++y) {
         for (int x = 0; x < size.x; ++x) {
-            Kept kept = kept_at((glm::vec2(x, y) + 0.5f) / glm::vec2(size));
-            kept.weight = std::min(kept.weight, 1.0f);
-            stretched[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
-                      static_cast<std::size_t>(x)] = kept;
+            const int u = x * size_.x / size.x, v = y * size_.y / size.y;
+            const std::size_t from =
+                static_cast<std::size_t>(v) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(u);
+            const std::size_t to =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
+            stretched[to] = kept_[from];
+            stretched[to].count = std::min(stretched[to].count, 1.0f);
+            picture[to] = picture_[from];
         }
     }
+    if (has_history_) {
+        const glm::vec2 wider = glm::vec2(size_) / glm::vec2(size);
+        before_.right *= wider.x;
+        before_.down *= wider.y;
+    }
     kept_ = std::move(stretched);
+    picture_ = std::move(picture);
     size_ = size;
 }
 
-void TemporalUpscaler::add(const JitteredFrame& frame, glm::ivec2 size, const Jobs& jobs, Image& out) {
-    const std::size_t pixels = frame.radiance.pixels.size();
-    EXPECTS(size.x >= 1 && size.y >= 1 && pixels > 0);
-    EXPECTS(frame.part.size() == pixels && frame.position.size() == pixels &&
-            frame.previous.size() == pixels);
-    if (size != size_) stretch(size);
-    next_.resize(kept_.size());
-    const float pixels_a_radian =
-        static_cast<float>(size.x) / static_cast<float>(frame.radiance.width) / glm::length(frame.lens.right);
-    parallax_ = has_history_ ? pixels_a_radian * glm::distance(frame.lens.eye, before_.eye) : 0.0f;
-    samples_.resize(pixels);
-    if (out.width != size.x || out.height != size.y) out = Image(size.x, size.y);
-    jobs.run(static_cast<std::size_t>(frame.radiance.height),
-             [&](std::size_t y, int) { gather_row(frame, static_cast<int>(y)); });
-    jobs.run(static_cast<std::size_t>(size.y), [&](std::size_t y, int) {
-        for (int x = 0; x < size.x; ++x) {
-            const std::size_t i = y * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
-            next_[i] = renewed(frame, x, static_cast<int>(y));
-            out.pixels[i] = next_[i].color;
+void TemporalUpscaler::add(const GuidedFrame& frame, const Jobs& jobs, Image& out) {
+    const Guide& guide = frame.guide;
+    const std::size_t pixels = guide.part.size();
+    EXPECTS(frame.radiance.width >= 1 && frame.radiance.height >= 1 && frame.step >= 1);
+    EXPECTS(guide.width == frame.radiance.width * frame.step &&
+            guide.height == frame.radiance.height * frame.step);
+    EXPECTS(guide.position.size() == pixels && guide.previous.size() == pixels &&
+            guide.albedo.size() == pixels);
+    EXPECTS(guide.geometric.size() == pixels && guide.clean.size() == pixels);
+    if (size_ != glm::ivec2(guide.width, guide.height)) stretch(guide);
+    reach_ = kReach * static_cast<float>(frame.step) * glm::length(guide.lens.right);
+    picture_before_ = picture_from_world(before_);
+    lit_.resize(frame.radiance.pixels.size());
+    next_.resize(pixels);
+    motion_.resize(pixels);
+    lighted_.resize(pixels);
+    if (out.width != guide.width || out.height != guide.height) out = Image(guide.width, guide.height);
+    const auto rows = static_cast<std::size_t>(guide.height);
+    const auto lit_rows = static_cast<std::size_t>(frame.radiance.height);
+    jobs.run(rows, [&](std::size_t y, int) {
+        for (int x = 0; x < guide.width; ++x) {
+            const std::size_t i = y * static_cast<std::size_t>(guide.width) + static_cast<std::size_t>(x);
+            motion_[i] = motion_of(guide, x, static_cast<int>(y), i);
         }
     });
+    jobs.run(lit_rows, [&](std::size_t v, int) { demodulate_row(frame, static_cast<int>(v)); });
+    jobs.run(lit_rows, [&](std::size_t v, int) { find_range_row(frame, static_cast<int>(v)); });
+    jobs.run(rows, [&](std::size_t y, int) { light_row(frame, static_cast<int>(y)); });
+    jobs.run(rows, [&](std::size_t y, int) { smooth_row(guide, static_cast<int>(y), out); });
+    picture_ = out.pixels;
     kept_.swap(next_);
-    before_ = frame.lens;
-    before_size_ = {frame.radiance.width, frame.radiance.height};
+    before_ = guide.lens;
     has_history_ = true;
 }
 

@@ -64,7 +64,7 @@ void PathTile<kFeatures>::meet(Path path, const rc::Hit& hit, FrameStats& stats)
     path.cone_width += path.cone_angle * hit.t;
     const float taps =
         path.is_eye ? frame_.settings.texture_taps : std::min(kIndirectTaps, frame_.settings.texture_taps);
-    ShadingPoint at = shading_point(frame_.view, path.ray, hit, path.cone_width, taps);
+    ShadingPoint at = shading_point(frame_.view, path.ray, hit, path.cone_width * frame_.settings.texture_blur, taps);
     if (const world::Material* glass = path.media.top(); kHasClear && glass != nullptr) {
         const glm::vec3 left = sane_colour(absorbed(*glass, glm::distance(path.start, at.surface.position)));
         path.weight *= left;

@@ -77,6 +77,7 @@ struct PathSettings {
     // by something rough (Kaplanyan and Dachsbacher 2013): blurs the patterns that metal focuses, keeps their energy.
     float most_indirect = rc::kInfinity;
     float least_indirect_roughness = 0.0f;
+    float texture_blur = 1.0f;  // as WhittedSettings has it
     float texture_taps = 8.0f;
     // Paths start in every n-th pixel of every n-th row only, the others stay black: a picture to compare with another.
     int every = 1;

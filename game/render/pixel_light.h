@@ -28,9 +28,6 @@ struct PixelLight {
     glm::vec3 normal{0.0f};
     float size = 0.0f;      // of the pixel there, metres; 0: no surface
     bool is_mixed = false;  // its samples lie on several surfaces
-    // The same as Film::planes tell it.
-    std::uint32_t part = FilmPlanes::kSky;
-    glm::vec3 unfolded{0.0f}, previous{0.0f}, facing{0.0f};
 };
 
 // Whether two pixels show one surface, that goes on between them.

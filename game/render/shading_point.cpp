@@ -2,7 +2,7 @@
 
 #include "base/contracts.h"
 #include "base/det_math.h"
-#include "render/light_math.h"
+#include "render/shading_corners.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -17,41 +17,10 @@ namespace {
 
 constexpr float kFlattestView = 0.02f;  // least cosine between a bent normal and the eye
 
-// The triangle that was hit, in the world frame where that matters.
-struct HitTriangle {
-    glm::uvec3 index{0};
-    std::array<float, 3> share{};        // barycentric
-    glm::vec3 edge1{0.0f}, edge2{0.0f};  // world
-    glm::vec2 uv{0.0f}, uv_edge1{0.0f}, uv_edge2{0.0f};
-};
-
 // Turns normals: the transpose of the inverse, but for a positive factor.
 glm::mat3 normal_matrix(const glm::mat3& m) {
     const glm::mat3 cofactor(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
     return glm::dot(m[0], cofactor[0]) < 0.0f ? -cofactor : cofactor;
-}
-
-glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
-    const float length2 = glm::dot(v, v);
-    return length2 > 0.0f && length2 < rc::kInfinity ? v / std::sqrt(length2) : fallback;
-}
-
-// `has_uvs`: or they are left 0.
-HitTriangle corners_of(const SceneView& view, const world::Mesh& mesh, const rc::Hit& hit,
-                       const glm::mat3& to_world, bool has_uvs) {
-    HitTriangle corners;
-    corners.index = mesh.triangles[hit.primitive];
-    corners.share = {1.0f - hit.u - hit.v, hit.u, hit.v};
-    const std::array<glm::vec3, 3> local = view.snapshot.scene->triangle(hit.instance, hit.primitive);
-    corners.edge1 = to_world * (local[1] - local[0]);
-    corners.edge2 = to_world * (local[2] - local[0]);
-    if (has_uvs) {
-        const glm::vec2 uv0 = mesh.uvs[corners.index.x];
-        corners.uv_edge1 = mesh.uvs[corners.index.y] - uv0;
-        corners.uv_edge2 = mesh.uvs[corners.index.z] - uv0;
-        corners.uv = uv0 + corners.uv_edge1 * hit.u + corners.uv_edge2 * hit.v;
-    }
-    return corners;
 }
 
 glm::vec3 smooth_normal(const SceneView& view, const world::Mesh& mesh, const rc::Hit& hit,
@@ -66,29 +35,6 @@ glm::vec3 smooth_normal(const SceneView& view, const world::Mesh& mesh, const rc
                             normals[corners.index.y] * corners.share[1] +
                             normals[corners.index.z] * corners.share[2];
     return unit_or(normal_to_world * local, geometric);
-}
-
-// How uv changes along a world vector in the triangle's plane.
-glm::vec2 uv_along(const HitTriangle& corners, const glm::vec3& way) {
-    const glm::vec3 n = glm::cross(corners.edge1, corners.edge2);
-    const float area2 = glm::dot(n, n);
-    if (!(area2 > 0.0f)) return glm::vec2(0.0f);
-    const float a = glm::dot(glm::cross(way, corners.edge2), n) / area2;
-    const float b = glm::dot(glm::cross(corners.edge1, way), n) / area2;
-    return corners.uv_edge1 * a + corners.uv_edge2 * b;
-}
-
-// The ellipse that the ray's cone cuts out of the triangle's plane.
-Footprint footprint_of(const HitTriangle& corners, const glm::vec3& direction, const glm::vec3& geometric,
-                       float cone_width) {
-    const float cosine = std::max(std::abs(glm::dot(direction, geometric)), 0.02f);
-    const glm::vec3 slant = direction - geometric * glm::dot(direction, geometric);
-    const glm::vec3 any =
-        std::abs(geometric.y) < 0.9f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(1.0f, 0.0f, 0.0f);
-    const glm::vec3 along = unit_or(slant, glm::normalize(glm::cross(geometric, any)));
-    const glm::vec3 across = glm::cross(geometric, along);
-    return {.major = uv_along(corners, along * (cone_width / cosine)),
-            .minor = uv_along(corners, across * cone_width)};
 }
 
 // The ways u and v grow along a surface of this normal; 0 where the mesh does not say.
@@ -121,18 +67,6 @@ glm::vec3 mapped_normal(const world::Material& material, const Tangents& along, 
     const float x = (texel.x * 2.0f - 1.0f) * material.normal_scale,
                 y = (texel.y * 2.0f - 1.0f) * material.normal_scale;
     return unit_or(along.tangent * x + along.bitangent * y + smooth * (texel.z * 2.0f - 1.0f), smooth);
-}
-
-glm::vec2 uv_of(const world::Material& material, world::TextureSlot slot, const glm::vec2& uv) {
-    if (material.uv_transforms.empty()) return uv;
-    return material.uv_transforms[static_cast<std::size_t>(slot)] * glm::vec3(uv, 1.0f);
-}
-
-// The footprint of a texture that is looked up elsewhere.
-Footprint footprint_of(const world::Material& material, world::TextureSlot slot, const Footprint& footprint) {
-    if (material.uv_transforms.empty()) return footprint;
-    const glm::mat3x2& m = material.uv_transforms[static_cast<std::size_t>(slot)];
-    return {m * glm::vec3(footprint.major, 0.0f), m * glm::vec3(footprint.minor, 0.0f)};
 }
 
 // `look_up` gives a texture's value there, 1 for none.

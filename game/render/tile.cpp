@@ -18,13 +18,23 @@ constexpr float kGlimmerTaps = 2.0f;
 
 }  // namespace
 
-void TileTracer::trace(int tile_x, int tile_y, std::vector<PixelLight>& pixels, FrameStats& stats) {
+void TileTracer::begin(int tile_x, int tile_y) {
     x_ = tile_x * kTileSide;
     y_ = tile_y * kTileSide;
     columns_ = std::min(kTileSide, frame_.width - x_);
     rows_ = std::min(kTileSide, frame_.height - y_);
     pixels_.assign(static_cast<std::size_t>(columns_ * rows_), {});
     samplers_.clear();
+    sample_ = 0;
+}
+
+std::size_t TileTracer::picture_index(std::uint16_t pixel) const {
+    const int x = x_ + pixel % columns_, y = y_ + pixel / columns_;
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width) + static_cast<std::size_t>(x);
+}
+
+void TileTracer::trace(int tile_x, int tile_y, std::vector<PixelLight>& pixels, FrameStats& stats) {
+    begin(tile_x, tile_y);
     for (int i = 0; i < columns_ * rows_; ++i) {
         samplers_.push_back(pixel_sampler(x_ + i % columns_, y_ + i / columns_, frame_.number,
                                           frame_.settings.shares_samples));
@@ -35,15 +45,23 @@ void TileTracer::trace(int tile_x, int tile_y, std::vector<PixelLight>& pixels, 
     const int samples = frame_.settings.samples_per_pixel;
     for (sample_ = 0; sample_ < samples; ++sample_) trace_sample(stats);
     const float per_sample = 1.0f / static_cast<float>(samples);
-    for (int i = 0; i < columns_ * rows_; ++i) {
-        PixelLight& light = pixels_[static_cast<std::size_t>(i)];
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+        PixelLight& light = pixels_[i];
         light.clean *= per_sample;
         light.shared.unshadowed *= per_sample;
         light.shared.arrived *= per_sample;
-        const int x = x_ + i % columns_, y = y_ + i / columns_;
-        pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width) +
-               static_cast<std::size_t>(x)] = light;
+        pixels[picture_index(static_cast<std::uint16_t>(i))] = light;
     }
+}
+
+void TileTracer::look_at(int tile_x, int tile_y, const std::vector<std::uint16_t>& which) {
+    begin(tile_x, tile_y);
+    now_.clear();
+    for (const std::uint16_t pixel : which) add_primary_ray(pixel);
+    FrameStats stats;
+    trace_all(stats);
+    for (const std::uint16_t pixel : which)
+        frame_.guide->clean.pixels[picture_index(pixel)] = pixels_[pixel].clean;
 }
 
 void TileTracer::trace_sample(FrameStats& stats) {
@@ -64,21 +82,24 @@ void TileTracer::trace_all(FrameStats& stats) {
         trace_shadows(stats);
         now_.swap(next_);
         next_.clear();
+        if (frame_.guide != nullptr)
+            std::erase_if(now_, [](const PathRay& path) { return !path.is_leading; });
     }
 }
 
 // The first sample of one goes through the middle, so that a still world stands still; more spread over the pixel.
 void TileTracer::add_primary_rays() {
     now_.clear();
-    for (int i = 0; i < columns_ * rows_; ++i) {
-        const int x = x_ + i % columns_, y = y_ + i / columns_;
-        PathRay path;
-        path.ray = frame_.lens.ray(pixel_point(x, y));
-        path.from = path.ray.origin;
-        path.cone_angle = frame_.lens.pixel_angle();
-        path.pixel = static_cast<std::uint16_t>(i);
-        now_.push_back(path);
-    }
+    for (std::size_t i = 0; i < pixels_.size(); ++i) add_primary_ray(static_cast<std::uint16_t>(i));
+}
+
+void TileTracer::add_primary_ray(std::uint16_t pixel) {
+    PathRay path;
+    path.ray = frame_.lens.ray(pixel_point(x_ + pixel % columns_, y_ + pixel / columns_));
+    path.from = path.ray.origin;
+    path.cone_angle = frame_.lens.pixel_angle();
+    path.pixel = pixel;
+    now_.push_back(path);
 }
 
 // Where this sample's ray goes through the pixel.

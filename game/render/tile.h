@@ -36,6 +36,7 @@ struct Frame {
     Lens lens;
     std::uint32_t number = 0;
     int width = 0, height = 0;
+    FilmPlanes* guide = nullptr;  // to be filled: only what is seen is of interest, not its light
 };
 
 // Scratch memory for one thread; trace() may be called for any number of tiles, one after the other.
@@ -45,6 +46,9 @@ class TileTracer {
 
     // Fills the tile's pixels of `pixels` (the whole picture's).
     void trace(int tile_x, int tile_y, std::vector<PixelLight>& pixels, FrameStats& stats);
+
+    // Fills frame.guide for those pixels of the tile, counted along its rows.
+    void look_at(int tile_x, int tile_y, const std::vector<std::uint16_t>& which);
 
   private:
     using TileLattice = Lattice<kTileSide>;
@@ -74,7 +78,9 @@ class TileTracer {
 
     // tile.cpp: where rays go.
     void trace_sample(FrameStats& stats);
+    void begin(int tile_x, int tile_y);
     void add_primary_rays();
+    void add_primary_ray(std::uint16_t pixel);
     [[nodiscard]] glm::vec2 pixel_point(int x, int y) const;
     void trace_all(FrameStats& stats);
     void trace_generation(FrameStats& stats);
@@ -115,8 +121,9 @@ class TileTracer {
     template <class Blend>
     void visit_pass(int pass, Blend blend);
 
-    void note_surface(const PathRay& path, const ShadingPoint& at, const rc::Hit& hit);
-    void note_thing(const PathRay& path, const ShadingPoint& at, const rc::Hit& hit, PixelLight& light) const;
+    void note_surface(const PathRay& path, const ShadingPoint& at);
+    void note_thing(const PathRay& path, const ShadingPoint& at, const rc::Hit& hit) const;
+    [[nodiscard]] std::size_t picture_index(std::uint16_t pixel) const;
     void add_main_light();
     [[nodiscard]] float light_so_far(std::uint16_t surface) const;
     [[nodiscard]] glm::vec3& light_of(std::uint16_t pixel, Share share);

@@ -1,5 +1,6 @@
 // The part of a tile that notes what its pixels show, for those that put pixels of a frame, or frames, together.
 #include "base/random.h"
+#include "render/guide_point.h"
 #include "render/tile.h"
 
 #include <glm/geometric.hpp>
@@ -8,7 +9,7 @@
 
 namespace gh::render {
 
-void TileTracer::note_surface(const PathRay& path, const ShadingPoint& at, const rc::Hit& hit) {
+void TileTracer::note_surface(const PathRay& path, const ShadingPoint& at) {
     PixelLight& light = pixels_[path.pixel];
     const float cosine = std::max(0.05f, -glm::dot(path.ray.direction, at.geometric));
     PixelLight here;
@@ -22,27 +23,28 @@ void TileTracer::note_surface(const PathRay& path, const ShadingPoint& at, const
     light.position = here.position;
     light.normal = here.normal;
     light.size = here.size;
-    if (frame_.settings.notes_things) note_thing(path, at, hit, light);
 }
 
-void TileTracer::note_thing(const PathRay& path, const ShadingPoint& at, const rc::Hit& hit,
-                            PixelLight& light) const {
-    light.facing = at.geometric;
-    light.part = at.part;
-    light.unfolded = light.previous = at.surface.position;
-    if (path.chain != 0) {
+// What is seen in mirrors and through glass is unfolded: it lies straight ahead, at the whole length of the way.
+void TileTracer::note_thing(const PathRay& path, const ShadingPoint& at, const rc::Hit& hit) const {
+    GuidePoint point{.position = at.surface.position,
+                     .previous = at.surface.position,
+                     .geometric = at.geometric,
+                     .albedo = guide_albedo(at.base_color, at.metallic),
+                     .part = at.part};
+    if (path.chain == 0) {
+        point.previous = previous_position(frame_.view, hit, point.position);
+    } else {
         for (std::size_t i = path.mirrors; i-- > 0;) {
             const glm::vec3& mirror = path.mirror_normals[i];
-            light.facing -= mirror * (2.0f * glm::dot(light.facing, mirror));
+            point.geometric -= mirror * (2.0f * glm::dot(point.geometric, mirror));
         }
         const int x = x_ + path.pixel % columns_, y = y_ + path.pixel / columns_;
         const rc::Ray straight = frame_.lens.ray(pixel_point(x, y));
-        light.unfolded = light.previous = straight.origin + straight.direction * path.length;
-        light.part = hash_u32(path.chain, at.part) & ~1u;  // never kNone
-    } else if (frame_.view.before != nullptr &&
-               frame_.view.level.parts[at.part].mover != world::Mover::None) {
-        light.previous = frame_.view.before->scene->surface(hit).position;
+        point.position = point.previous = straight.origin + straight.direction * path.length;
+        point.part = hash_u32(path.chain, at.part) & ~1u;  // never kSky
     }
+    note(point, picture_index(path.pixel), *frame_.guide);
 }
 
 }  // namespace gh::render

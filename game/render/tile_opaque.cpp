@@ -66,15 +66,21 @@ void TileTracer::shade_opaque(const PathRay& path, const ShadingPoint& at, const
                         .gloss = {at.normal, to_eye, f0 * shine, f90 * shine, alpha}};
     surface.path.is_leading = path.is_leading && !is_mirror;
     if (share_of(surface.path) == Share::Neighbours) {
-        note_surface(path, at, hit);
+        if (frame_.guide != nullptr) {
+            note_thing(path, at, hit);
+            return;
+        }
+        note_surface(path, at);
         main_.add(surface);
         return;  // lit, and its mirrored ray sent, once its neighbours are known
     }
-    (void)collect_light(surface);
-    if (frame_.settings.shares_samples) {
-        ask_for_brightest(surface);
-    } else {
-        ask_for_all(surface);
+    if (frame_.guide == nullptr) {
+        (void)collect_light(surface);
+        if (frame_.settings.shares_samples) {
+            ask_for_brightest(surface);
+        } else {
+            ask_for_all(surface);
+        }
     }
     if (ray_share > 0.0f) {
         next_.push_back(mirrored_ray(surface));

@@ -9,20 +9,6 @@
 
 namespace gh::render {
 
-namespace {
-
-void note_things(const std::vector<PixelLight>& pixels, FilmPlanes& planes) {
-    planes.resize_surfaces(pixels.size());
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        planes.part[i] = pixels[i].part;
-        planes.position[i] = pixels[i].unfolded;
-        planes.previous[i] = pixels[i].previous;
-        planes.geometric[i] = pixels[i].facing;
-    }
-}
-
-}  // namespace
-
 void render_whitted(const SceneView& scene, const Camera& camera, const WhittedSettings& settings,
                     std::uint32_t frame, const Jobs& jobs, Film& film) {
     EXPECTS(settings.samples_per_pixel >= 1 && settings.shadow_samples >= 1);
@@ -53,7 +39,6 @@ void render_whitted(const SceneView& scene, const Camera& camera, const WhittedS
     });
     for (const FrameStats& tile : stats) film.stats += tile;
     develop(pixels, settings.shares_samples, jobs, film.radiance);
-    if (settings.notes_things) note_things(pixels, film.planes);
 }
 
 }  // namespace gh::render

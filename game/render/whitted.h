@@ -48,7 +48,6 @@ struct WhittedSettings {
     // Where in its pixel the only sample lies, from the middle, in [-0.5, 0.5): turned from frame to frame by what adds
     // frames up.
     glm::vec2 jitter{0.0f};
-    bool notes_things = false;  // fills the first four of Film::planes
 };
 
 // Fills film.radiance (of the size it has) and film.stats. `frame` turns the sampling pattern; a still uses 0.

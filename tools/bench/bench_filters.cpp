@@ -157,34 +157,40 @@ void bench_enlarging(const Bench& b) {
         [&](int) { filter::joint_enlarge(small, guides, large, b.jobs, out); }, out.x);
 }
 
-// The picture as the window gets it: added up over frames to its size, and made into what a screen takes.
+// The picture as the window gets it: lit in every fourth pixel, added up over frames, and made into what a screen takes.
 void bench_showing(const Bench& b) {
-    const gh::test::Frame& now = b.frames[11];
+    constexpr int kStep = 2;
+    const gh::test::Frame now = gh::test::render({}, kStep * b.options.width, kStep * b.options.height, 11);
+    const filter::Plane3 truth = gh::test::total(now.truth);
     gh::Image small(b.options.width, b.options.height), large;
     std::vector<std::uint32_t> part;
-    std::vector<glm::vec3> position;
-    filter::image_from(gh::test::total(now.truth), small);
-    for (int y = 0; y < small.height; ++y) {
-        for (int x = 0; x < small.width; ++x) {
+    std::vector<glm::vec3> position, normal, albedo, clean;
+    for (int y = 0; y < truth.height(); ++y) {
+        for (int x = 0; x < truth.width(); ++x) {
             part.push_back(now.surfaces.part.at(x, y));
             position.push_back(now.surfaces.position.get(x, y));
+            normal.push_back(now.surfaces.normal.get(x, y));
+            albedo.push_back(now.surfaces.albedo.get(x, y) + 0.15f);
+            clean.emplace_back(0.0f);
+            if (x % kStep == 0 && y % kStep == 0) small.at(x / kStep, y / kStep) = truth.get(x, y);
         }
     }
+    const filter::Guide guide{.width = truth.width(),
+                              .height = truth.height(),
+                              .lens = now.surfaces.lens,
+                              .part = part,
+                              .position = position,
+                              .previous = position,
+                              .geometric = normal,
+                              .albedo = albedo,
+                              .clean = clean};
     filter::TemporalUpscaler upscaler;
     filter::Plane3 planes;
     const auto answer = [&]() -> const filter::Plane& {
         filter::planes_from(large, planes);
         return planes.x;
     };
-    const auto add = [&](int round) {
-        upscaler.add({.radiance = small,
-                      .lens = now.surfaces.lens,
-                      .jitter = filter::halton_jitter(static_cast<std::uint32_t>(round)),
-                      .part = part,
-                      .position = position,
-                      .previous = position},
-                     {b.options.window_width, b.options.window_height}, b.jobs, large);
-    };
+    const auto add = [&](int) { upscaler.add({small, kStep, {0, 0}, guide}, b.jobs, large); };
     add(0);
     b.row("add up to the window", add, answer());
     gh::Image8 bytes;

@@ -1,9 +1,9 @@
 #include "contestants.h"
 
 #include "app/film_denoiser.h"
+#include "app/guided_picture.h"
 #include "app/reshading.h"
 #include "clocks.h"
-#include "filter/temporal_upscale.h"
 #include "render/path_tracer.h"
 #include "render/whitted.h"
 
@@ -73,54 +73,67 @@ Contestant path(const std::string& family, int samples, PathSettings settings,
             .begin = single([settings](const Shot& shot, Film& film) { path_frame(shot, settings, film); })};
 }
 
-// As the game shows it: a picture of half the width and height, jittered and added up in the large one.
-std::function<Run()> upscaled_run(const WhittedSettings& settings) {
+// What is seen, of a light picture whose sides go into the film's this many times.
+int step_of(const Film& film) {
+    const glm::ivec2 size(film.radiance.width, film.radiance.height);
+    for (const int step : {3, 2}) {
+        if (size % step == glm::ivec2(0)) return step;
+    }
+    return 1;
+}
+
+// As the game shows it: every pixel is looked at, one in four or nine is lit, and the pictures are added up.
+std::function<Run()> guided_run(const WhittedSettings& settings) {
     struct Memory {
-        gh::filter::TemporalUpscaler upscaler;
-        Film small;
+        gh::app::GuidedPicture guided;
+        Film lit;
     };
     return [settings] {
         return [settings, memory = std::make_shared<Memory>()](const Shot& shot, Film& film) {
-            const int width = film.radiance.width, height = film.radiance.height;
-            Film& small = memory->small;
-            if (small.radiance.width != (width + 1) / 2 || small.radiance.height != (height + 1) / 2)
-                small = Film((width + 1) / 2, (height + 1) / 2);
+            const int step = step_of(film);
+            const gh::app::PictureShape shape{{film.radiance.width / step, film.radiance.height / step},
+                                              step};
+            Film& lit = memory->lit;
+            if (lit.radiance.width != shape.lit.x || lit.radiance.height != shape.lit.y)
+                lit = Film(shape.lit.x, shape.lit.y);
             WhittedSettings jittered = settings;
-            jittered.jitter = gh::filter::halton_jitter(shot.frame);
-            jittered.notes_things = true;
             const double start = core_ms();
-            whitted_frame(shot, jittered, small);
+            jittered.jitter =
+                memory->guided.begin(shot.scene, shot.camera, settings, shot.frame, shape, shot.jobs);
+            jittered.texture_blur = gh::app::GuidedPicture::texture_blur(step);
+            whitted_frame(shot, jittered, lit);
             const double rendered = core_ms();
-            memory->upscaler.add(gh::app::jittered_frame(small, shot.camera, jittered.jitter),
-                                 {width, height}, shot.jobs, film.radiance);
-            film.stats = small.stats;
+            memory->guided.add(lit.radiance, shot.jobs, film.radiance);
+            film.stats = lit.stats;
             return StageTimes{.render_ms = rendered - start, .filter_ms = core_ms() - rendered};
         };
     };
 }
 
-// As the game shows it: denoised, and the pictures added up, here to the size they have.
+// As the game shows it: denoised, and the pictures added up, here lit in every pixel.
 std::function<Run()> denoised_run(const PathSettings& settings) {
     struct Memory {
         gh::app::Reshading reshading;
         gh::filter::Plane change;
         gh::app::FilmDenoiser denoiser;
-        gh::filter::TemporalUpscaler upscaler;
+        gh::app::GuidedPicture guided;
         gh::Image added_up;
     };
     return [settings] {
         return [settings, memory = std::make_shared<Memory>()](const Shot& shot, Film& film) {
+            const gh::app::PictureShape shape{{film.radiance.width, film.radiance.height}, 1};
             PathSettings jittered = settings;
-            jittered.jitter = gh::filter::halton_jitter(shot.frame);
             jittered.seed = shot.seed;
             const double start = core_ms();
+            jittered.jitter =
+                memory->guided.begin(shot.scene, shot.camera, {.texture_taps = settings.texture_taps},
+                                     shot.frame, shape, shot.jobs);
             memory->reshading.ask_again(shot.scene, shot.jobs, memory->change);
             path_frame(shot, jittered, film);
             memory->reshading.note(shot.camera, jittered, shot.frame, film);
             const double rendered = core_ms();
             memory->denoiser.denoise(film, shot.jobs, {}, memory->change);
-            memory->upscaler.add(gh::app::jittered_frame(film, shot.camera, jittered.jitter),
-                                 {film.radiance.width, film.radiance.height}, shot.jobs, memory->added_up);
+            memory->guided.add(film.radiance, shot.jobs, memory->added_up);
             std::swap(film.radiance, memory->added_up);
             return StageTimes{.render_ms = rendered - start, .filter_ms = core_ms() - rendered};
         };
@@ -153,7 +166,7 @@ Contestant in_a_row(const std::string& family, const std::string& truth, int fra
 std::vector<Contestant> moving_contestants() {
     std::vector<Contestant> all;
     all.push_back(whitted("whitted", 1, {}));
-    all.push_back(in_a_row("whitted adaptive, upscaled", "whitted", 1, upscaled_run({.is_adaptive = true})));
+    all.push_back(in_a_row("whitted, guided", "whitted", 1, guided_run({})));
     all.push_back(path("path, real time, unfiltered", 1, unfiltered_real_time(), kRealTime));
     all.push_back(
         in_a_row("path, real time, denoised", kRealTime, 1, denoised_run(gh::render::realtime_path())));
@@ -183,8 +196,7 @@ std::vector<Contestant> contestants(bool is_quick) {
     for (const int frames : {1, 4, 16}) {
         all.push_back(in_a_row("path, real time, denoised", kRealTime, frames,
                                denoised_run(gh::render::realtime_path())));
-        all.push_back(
-            in_a_row("whitted adaptive, upscaled", "whitted", frames, upscaled_run({.is_adaptive = true})));
+        all.push_back(in_a_row("whitted, guided", "whitted", frames, guided_run({})));
     }
     return all;
 }

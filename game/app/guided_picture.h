@@ -1,0 +1,48 @@
+// app/guided_picture.h - pictures in a row, lit in few pixels and shown in many: what is seen is traced for every pixel
+// here, the light of some by whoever has a renderer, and filter/temporal_upscale puts them together.
+//
+//   const glm::vec2 jitter = guided.begin(scene, camera, settings, frame, shape, jobs);
+//   ... render a picture of shape.lit pixels with that jitter ...
+//   guided.add(film.radiance, jobs, picture);         // of shape.shown() pixels
+//
+// Cost, threads, same bits   as render/guide.h and filter/temporal_upscale.h.
+#pragma once
+
+#include "app/resolution.h"
+#include "base/image.h"
+#include "base/jobs.h"
+#include "filter/jitter.h"
+#include "filter/temporal_upscale.h"
+#include "render/camera.h"
+#include "render/film.h"
+#include "render/whitted.h"
+
+#include <cstdint>
+
+namespace gh::app {
+
+class GuidedPicture {
+  public:
+    // The next frame is the first: after a cut.
+    void forget() { upscaler_.forget(); }
+
+    // Of the settings those count that render_guide() names, but for the jitter. Returns where in their pixels the lit
+    // picture's samples must lie.
+    [[nodiscard]] glm::vec2 begin(const render::SceneView& scene, const render::Camera& camera,
+                                  render::WhittedSettings settings, std::uint32_t frame,
+                                  const PictureShape& shape, const Jobs& jobs);
+    // Precondition: `radiance` has the size that begin() was told.
+    void add(const Image& radiance, const Jobs& jobs, Image& out);
+
+    // What pixels of the lit picture blur textures by, of their own size, so that they match the guide's.
+    [[nodiscard]] static float texture_blur(int step) { return 1.0f / static_cast<float>(step); }
+
+  private:
+    filter::TemporalUpscaler upscaler_;
+    render::FilmPlanes guide_;
+    PictureShape shape_;
+    glm::vec2 jitter_{0.0f};
+    glm::ivec2 offset_{0};
+};
+
+}  // namespace gh::app

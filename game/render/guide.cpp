@@ -1,0 +1,122 @@
+#include "render/guide.h"
+
+#include "base/contracts.h"
+#include "render/frame_light.h"
+#include "render/guide_point.h"
+#include "render/sky.h"
+#include "render/tile.h"
+#include "world/layers.h"
+
+#include "raycore/query.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace gh::render {
+
+namespace {
+
+constexpr std::size_t kFetchIndices = 12, kFetchCorners = 6;  // hits ahead
+
+// Most pixels show a plain surface and need no more than the triangle and its colour there. The others go the way that
+// every ray of a picture goes.
+class GuideTracer {
+  public:
+    explicit GuideTracer(const Frame& frame) : frame_(frame), tracer_(frame) {}
+
+    void trace(int tile_x, int tile_y) {
+        const int left = tile_x * kTileSide, top = tile_y * kTileSide;
+        const int columns = std::min(kTileSide, frame_.width - left);
+        const int rows = std::min(kTileSide, frame_.height - top);
+        rays_.clear();
+        for (int y = 0; y < rows; ++y) {
+            for (int x = 0; x < columns; ++x)
+                rays_.push_back(
+                    frame_.lens.ray(glm::vec2(left + x, top + y) + 0.5f + frame_.settings.jitter));
+        }
+        hits_.resize(rays_.size());
+        rc::closest_hits(*frame_.view.snapshot.scene, rays_, world::Light, hits_);
+        not_plain_.clear();
+        for (std::size_t i = 0; i < hits_.size(); ++i) {
+            if (i + kFetchIndices < hits_.size()) fetch_indices(frame_.view, hits_[i + kFetchIndices]);
+            if (i + kFetchCorners < hits_.size()) fetch_corners(frame_.view, hits_[i + kFetchCorners]);
+            const auto pixel = static_cast<int>(i);
+            const std::size_t at =
+                static_cast<std::size_t>(top + pixel / columns) * static_cast<std::size_t>(frame_.width) +
+                static_cast<std::size_t>(left + pixel % columns);
+            if (!note_plain(rays_[i], hits_[i], at)) not_plain_.push_back(static_cast<std::uint16_t>(i));
+        }
+        if (!not_plain_.empty()) tracer_.look_at(tile_x, tile_y, not_plain_);
+    }
+
+  private:
+    // False, and nothing done, for what is not plain.
+    bool note_plain(const rc::Ray& ray, const rc::Hit& hit, std::size_t at) {
+        glm::vec3& clean = frame_.guide->clean.pixels[at];
+        if (hit.is_miss()) {
+            note({}, at, *frame_.guide);
+            clean = sky_radiance(frame_.light.sun, ray.direction);
+            return true;
+        }
+        const world::Level& level = frame_.view.level;
+        const world::Mesh& mesh = level.meshes[level.parts[hit.instance].mesh];
+        if (!is_plain(level.materials[mesh.materials[hit.primitive]])) {
+            note({}, at, *frame_.guide);  // should nothing come of it
+            return false;
+        }
+        const float width = frame_.lens.pixel_angle() * hit.t * frame_.settings.texture_blur;
+        glm::vec3 emission;
+        note(plain_point(frame_.view, ray, hit, width, frame_.settings.texture_taps, emission), at,
+             *frame_.guide);
+        clean = frame_.light.emission_on[hit.instance] != 0 ? emission : glm::vec3(0.0f);
+        return true;
+    }
+
+    const Frame& frame_;
+    TileTracer tracer_;
+    std::vector<rc::Ray> rays_;
+    std::vector<rc::Hit> hits_;
+    std::vector<std::uint16_t> not_plain_;
+};
+
+void fit(FilmPlanes& planes, glm::ivec2 size) {
+    const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    planes.part.resize(count);
+    for (auto* plane : {&planes.position, &planes.previous, &planes.geometric, &planes.albedo})
+        plane->resize(count);
+    if (planes.clean.width != size.x || planes.clean.height != size.y) planes.clean = Image(size.x, size.y);
+}
+
+}  // namespace
+
+void render_guide(const SceneView& scene, const Camera& camera, const WhittedSettings& settings,
+                  glm::ivec2 size, const Jobs& jobs, FilmPlanes& planes) {
+    EXPECTS(size.x >= 1 && size.y >= 1);
+    fit(planes, size);
+    WhittedSettings looks = settings;
+    looks.samples_per_pixel = 1;
+    looks.shares_samples = true;
+    const FrameLight light = frame_light(scene, false);
+    const Frame frame{.view = scene,
+                      .settings = looks,
+                      .light = light,
+                      .gloss = scene.prepared.gloss,
+                      .lens = Lens(camera, size.x, size.y),
+                      .width = size.x,
+                      .height = size.y,
+                      .guide = &planes};
+    planes.eye = frame.lens.position();
+    planes.corner = frame.lens.corner();
+    planes.right = frame.lens.right();
+    planes.down = frame.lens.down();
+    const int across = (size.x + kTileSide - 1) / kTileSide, down = (size.y + kTileSide - 1) / kTileSide;
+    std::vector<std::unique_ptr<GuideTracer>> tracers(static_cast<std::size_t>(jobs.threads()));
+    jobs.run(static_cast<std::size_t>(across) * static_cast<std::size_t>(down),
+             [&](std::size_t tile, int worker) {
+                 std::unique_ptr<GuideTracer>& tracer = tracers[static_cast<std::size_t>(worker)];
+                 if (tracer == nullptr) tracer = std::make_unique<GuideTracer>(frame);
+                 tracer->trace(static_cast<int>(tile) % across, static_cast<int>(tile) / across);
+             });
+}
+
+}  // namespace gh::render

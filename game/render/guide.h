@@ -1,0 +1,20 @@
+// render/guide.h - what every pixel of a picture shows, without the light that falls on it: by this a picture of few
+// pixels is made into one of many (filter/temporal_upscale.h).
+//
+// Mirrors and clear glass are looked through as Film::planes say; `clean` holds what shines by itself, sky and bulbs,
+// exactly as a Whitted picture of the same pixel has it.
+//
+// Cost      one ray a pixel, and one more for every mirror and pane on its way. About .3 us a pixel and core.
+// Threads, same bits, bad input   as render/whitted.h.
+#pragma once
+
+#include "render/whitted.h"
+
+namespace gh::render {
+
+// Fills the first four of `planes`, albedo, clean and the lens, for a picture of this size. Of the settings those count that say
+// where rays go (jitter, max_depth, min_weight) and how textures are looked up. The size must not be 0.
+void render_guide(const SceneView& scene, const Camera& camera, const WhittedSettings& settings,
+                  glm::ivec2 size, const Jobs& jobs, FilmPlanes& planes);
+
+}  // namespace gh::render
