@@ -16,7 +16,7 @@ namespace gh::render {
 
 namespace {
 
-constexpr std::size_t kFetchIndices = 12, kFetchCorners = 6;  // hits ahead
+constexpr std::size_t kIndicesAhead = 12, kCornersAhead = 6;  // hits whose memory is asked for
 
 // Most pixels show a plain surface and need no more than the triangle and its colour there. The others go the way that
 // every ray of a picture goes.
@@ -38,8 +38,8 @@ class GuideTracer {
         rc::closest_hits(*frame_.view.snapshot.scene, rays_, world::Light, hits_);
         not_plain_.clear();
         for (std::size_t i = 0; i < hits_.size(); ++i) {
-            if (i + kFetchIndices < hits_.size()) fetch_indices(frame_.view, hits_[i + kFetchIndices]);
-            if (i + kFetchCorners < hits_.size()) fetch_corners(frame_.view, hits_[i + kFetchCorners]);
+            if (i + kIndicesAhead < hits_.size()) fetch_indices(frame_.view, hits_[i + kIndicesAhead]);
+            if (i + kCornersAhead < hits_.size()) fetch_corners(frame_.view, hits_[i + kCornersAhead]);
             const auto pixel = static_cast<int>(i);
             const std::size_t at =
                 static_cast<std::size_t>(top + pixel / columns) * static_cast<std::size_t>(frame_.width) +

@@ -31,12 +31,18 @@ std::size_t enter_ours(Field& field, const RaycoreSide& side, const std::string&
 }
 
 #ifdef BENCH_HAS_EMBREE
+struct EmbreeWay {
+    EmbreeMode mode;
+    EmbreeQuality quality;
+    EmbreeCall call;
+};
+
 std::size_t enter_embree(Field& field, const BenchScene& scene, unsigned threads, const std::string& name,
-                         EmbreeMode mode, EmbreeQuality quality, EmbreeCall call) {
-    field.peers.push_back(std::make_unique<EmbreeSide>(scene, mode, quality, threads));
-    field.contestants.push_back({name, [peer = field.peers.back().get(), call](auto rays, bool any) {
-                                     return peer->ask(rays, any, call);
-                                 }});
+                         const EmbreeWay& way) {
+    field.peers.push_back(std::make_unique<EmbreeSide>(scene, way.mode, way.quality, threads));
+    const EmbreeSide* peer = field.peers.back().get();
+    field.contestants.push_back(
+        {name, [peer, call = way.call](auto rays, bool any) { return peer->ask(rays, any, call); }});
     return field.contestants.size() - 1;
 }
 #endif
@@ -52,7 +58,7 @@ void enter_all(Field& field, const BenchScene& scene, const QueryOptions& option
 #ifdef BENCH_HAS_EMBREE
     if (!options.with_embree) return;
     const auto enter = [&](const char* name, EmbreeMode mode, EmbreeQuality quality, EmbreeCall call) {
-        return enter_embree(field, scene, options.threads, name, mode, quality, call);
+        return enter_embree(field, scene, options.threads, name, {mode, quality, call});
     };
     field.packets =
         enter("embree high, packets of 16", EmbreeMode::Fast, EmbreeQuality::High, EmbreeCall::Packet16);

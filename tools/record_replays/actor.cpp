@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace gh::tools {
 
@@ -40,7 +41,7 @@ float towards_angle(float left, float& speed) {
 }  // namespace
 
 Actor::Actor(std::shared_ptr<const world::Level> level, std::uint32_t seed)
-    : level_(level), simulation_(level, seed), navigation_(*level) {}
+    : level_(std::move(level)), simulation_(level_, seed), navigation_(*level_) {}
 
 void Actor::fail(std::string_view what) {
     if (trouble_) return;

@@ -49,7 +49,8 @@ void send_the_guard_after_a_stone(Actor& thief, int take) {
 
 void ready_the_mirror(Actor& thief, int take) {
     constexpr float kRunsUpTo = 8.0f, kTakesApart = 2.0f;  // metres north
-    thief.go(floor_at(-10.7f, kRunsUpTo - kTakesApart * static_cast<float>(take / 8)), Pace::Run);
+    const int shorter = take / 8;
+    thief.go(floor_at(-10.7f, kRunsUpTo - kTakesApart * static_cast<float>(shorter)), Pace::Run);
     thief.go(floor_at(-10.7f, 12.0f, kHall), Pace::Walk);
     thief.note("up the gallery");
     thief.go(floor_at(-7.4f, 15.2f, kHall), Pace::Walk);

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <string>
 
@@ -150,35 +151,46 @@ std::optional<std::vector<input::Command>> find_win(const std::shared_ptr<const 
     return shortest;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    CLI::App app("Plays a level by itself and writes NAME_win.rec and NAME_caught.rec.", "replay_recorder");
+struct Options {
     std::string level_path, out = "assets/replays";
     std::uint32_t seed = 1;
-    app.add_option("LEVEL", level_path, "a .glb or .gltf file")->required();
-    app.add_option("--out", out, "folder of the recordings");
     bool story_only = false;
-    app.add_flag("--story", story_only, "do not search for another way when the written one breaks off");
-    app.add_option("--seed", seed, "of the simulation");
-    CLI11_PARSE(app, argc, argv);
+};
 
-    auto loaded = load::load_level(level_path);
+int record_both(const Options& options) {
+    auto loaded = load::load_level(options.level_path);
     if (!loaded) return complain(loaded.error().sentence);
     const auto level = std::make_shared<const world::Level>(*std::move(loaded));
-    const std::string name = std::filesystem::path(level_path).stem().string();
+    const std::string name = std::filesystem::path(options.level_path).stem().string();
 
-    auto win = play_story(name, level, seed);
-    if (!win && story_only) return complain(name + " is not won by its story");
-    if (!win) win = find_win(level, seed);
+    auto win = play_story(name, level, options.seed);
+    if (!win && options.story_only) return complain(name + " is not won by its story");
+    if (!win) win = find_win(level, options.seed);
     if (!win) return complain(name + " can not be won by any manner this player knows");
-    auto arrest = tools::plan_arrest(level, seed);
+    auto arrest = tools::plan_arrest(level, options.seed);
     if (!arrest) return complain("nobody in " + name + " catches a player who walks up to the guard");
     for (const auto& [run, ending] : {std::pair(&*win, "win"), std::pair(&*arrest, "caught")}) {
-        const std::filesystem::path path = std::filesystem::path(out) / fmt::format("{}_{}.rec", name, ending);
-        const auto hash = record(path, name, level, seed, *run);
+        const std::filesystem::path path = std::filesystem::path(options.out) / fmt::format("{}_{}.rec", name, ending);
+        const auto hash = record(path, name, level, options.seed, *run);
         if (!hash) return complain(hash.error().sentence);
         fmt::print("{}: {} ticks, hash {:016x}\n", path.string(), run->size(), *hash);
     }
     return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        CLI::App app("Plays a level by itself and writes NAME_win.rec and NAME_caught.rec.", "replay_recorder");
+        Options options;
+        app.add_option("LEVEL", options.level_path, "a .glb or .gltf file")->required();
+        app.add_option("--out", options.out, "folder of the recordings");
+        app.add_flag("--story", options.story_only, "do not search for another way when the written one breaks off");
+        app.add_option("--seed", options.seed, "of the simulation");
+        CLI11_PARSE(app, argc, argv);
+        return record_both(options);
+    } catch (const std::exception& error) {
+        return complain(error.what());
+    }
 }

@@ -26,7 +26,7 @@ int progress(const world::Level& level, const world::State& state) {
 
 class Search {
   public:
-    Search(std::shared_ptr<const world::Level> level, const Attempt& attempt)
+    Search(const std::shared_ptr<const world::Level>& level, const Attempt& attempt)
         : simulation_(level, attempt.seed), navigation_(*level), thief_(*level, navigation_), level_(*level),
           attempt_(attempt) {}
 
@@ -101,7 +101,7 @@ class Search {
 
 }  // namespace
 
-std::optional<std::vector<input::Command>> plan_win(std::shared_ptr<const world::Level> level,
+std::optional<std::vector<input::Command>> plan_win(const std::shared_ptr<const world::Level>& level,
                                                     const Attempt& attempt) {
     Search search(std::move(level), attempt);
     if (!search.hides(attempt.first_wait)) return std::nullopt;
@@ -111,7 +111,7 @@ std::optional<std::vector<input::Command>> plan_win(std::shared_ptr<const world:
     return run;
 }
 
-std::optional<std::vector<input::Command>> plan_arrest(std::shared_ptr<const world::Level> level,
+std::optional<std::vector<input::Command>> plan_arrest(const std::shared_ptr<const world::Level>& level,
                                                        std::uint32_t seed) {
     sim::Simulation simulation(level, seed);
     const sim::Navigation navigation(*level);

@@ -27,11 +27,11 @@ struct Attempt {
 };
 
 // The commands of a run that wins, or nothing within the attempt's means.
-[[nodiscard]] std::optional<std::vector<input::Command>> plan_win(std::shared_ptr<const world::Level> level,
+[[nodiscard]] std::optional<std::vector<input::Command>> plan_win(const std::shared_ptr<const world::Level>& level,
                                                                   const Attempt& attempt);
 
 // The commands of a run that is caught, goes back to the checkpoint and stands there for a second.
-[[nodiscard]] std::optional<std::vector<input::Command>> plan_arrest(std::shared_ptr<const world::Level> level,
+[[nodiscard]] std::optional<std::vector<input::Command>> plan_arrest(const std::shared_ptr<const world::Level>& level,
                                                                      std::uint32_t seed);
 
 }  // namespace gh::tools

@@ -76,8 +76,10 @@ void add_round(const sim::Navigation& navigation, const world::Guard& guard, std
 }  // namespace
 
 Thief::Thief(const world::Level& level, const sim::Navigation& navigation) : level_(level), navigation_(navigation) {
-    for (float z = level.bounds.min.z; z <= level.bounds.max.z; z += 1.0f) {
-        for (float x = level.bounds.min.x; x <= level.bounds.max.x; x += 1.0f) {
+    const glm::vec3 low = level.bounds.min, size = level.bounds.max - low;
+    for (int row = 0; static_cast<float>(row) <= size.z; ++row) {
+        for (int column = 0; static_cast<float>(column) <= size.x; ++column) {
+            const float x = low.x + static_cast<float>(column), z = low.z + static_cast<float>(row);
             const std::optional<glm::vec3> place = navigation.nearest({x, level.spawn.position.y + 0.5f, z});
             if (place && flat_length(*place - glm::vec3(x, 0.0f, z)) < 0.5f) shelters_.push_back(*place);
         }
