@@ -12,7 +12,7 @@
 //   filter::TemporalUpscaler upscaler;                     // once; forget() after a cut
 //   upscaler.add({small, step, offset, guide}, jobs, picture);   // every frame, in order
 //
-// Cost      see README.md: about 90 ns a pixel of the large picture on one core.
+// Cost      see README.md: about 145 ns a pixel of the large picture on one core.
 // Threads   rows over all threads; one caller at a time.
 // Same bits the picture depends on the frames added since forget() alone, not on threads.
 // Bad input a sample that is not finite is skipped.
