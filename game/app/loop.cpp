@@ -167,7 +167,7 @@ void Loop::expose(const render::SceneView& scene, const render::Camera& camera, 
     const Quality quality = quality_of(settings_.quality);
     if (traced_ || plane_ != PlaneView::Picture) {
         const render::PathSettings path = following(quality.path, traced_.value_or(render::LightPaths::All));
-        view_.expose_next(scene, camera, path, quality.whitted, frame_, shape, *session_.jobs);
+        view_.expose_next(scene, camera, path, frame_, shape, *session_.jobs);
     } else {
         view_.expose_next(scene, camera, quality.whitted, frame_, shape, *session_.jobs);
     }

@@ -160,11 +160,12 @@ void View::expose(const render::SceneView& scene, const render::Camera& camera,
 }
 
 void View::expose_next(const render::SceneView& scene, const render::Camera& camera,
-                       render::PathSettings settings, const render::WhittedSettings& looks,
-                       std::uint32_t frame, const PictureShape& shape, const Jobs& jobs) {
+                       render::PathSettings settings, std::uint32_t frame, const PictureShape& shape,
+                       const Jobs& jobs) {
     resize(shape.lit.x, shape.lit.y);
     if (exposure_ > 0.0f) settings.most_indirect = kClamp / exposure_;
-    settings.jitter = guided_.begin(scene, camera, looks, frame, shape, jobs);
+    settings.jitter =
+        guided_.begin(scene, camera, {.texture_taps = settings.texture_taps}, frame, shape, jobs);
     settings.texture_blur = GuidedPicture::texture_blur(shape.step);
     expose(scene, camera, settings, frame, jobs);
     guided_.add(film_.radiance, jobs, added_up_);

@@ -71,10 +71,10 @@ class View {
     void expose(const render::SceneView& scene, const render::Camera& camera,
                 const render::PathSettings& settings, std::uint32_t frame, const Jobs& jobs);
     // The next of many by path tracing, as fast and as clean as it can be: one sample a lit pixel, denoised over the
-    // frames. `looks` as GuidedPicture has it.
+    // frames.
     void expose_next(const render::SceneView& scene, const render::Camera& camera,
-                     render::PathSettings settings, const render::WhittedSettings& looks, std::uint32_t frame,
-                     const PictureShape& shape, const Jobs& jobs);
+                     render::PathSettings settings, std::uint32_t frame, const PictureShape& shape,
+                     const Jobs& jobs);
     void forget() {
         reshading_.forget();
         guided_.forget();

@@ -61,7 +61,8 @@ static Floats variance_around(const VarianceRow& row, const ColumnSums& sums, st
         mean = hn::Add(mean, load(sums.luminance + i + dx));
         square = hn::Add(square, load(sums.square + i + dx));
     }
-    const auto lines = static_cast<float>((last_line(row) - first_line(row)) / kApart + 1);
+    const auto line_count = (last_line(row) - first_line(row)) / kApart + 1;
+    const auto lines = static_cast<float>(line_count);
     const Floats share = hn::Div(splat(1.0f), hn::Mul(columns, splat(lines)));
     mean = hn::Mul(mean, share);
     const Floats variance = positive(hn::Sub(hn::Mul(square, share), hn::Mul(mean, mean)));

@@ -1,7 +1,5 @@
 #include "planner.h"
 
-#include <utility>
-
 #include "sim/geometry.h"
 
 namespace gh::tools {
@@ -103,7 +101,7 @@ class Search {
 
 std::optional<std::vector<input::Command>> plan_win(const std::shared_ptr<const world::Level>& level,
                                                     const Attempt& attempt) {
-    Search search(std::move(level), attempt);
+    Search search(level, attempt);
     if (!search.hides(attempt.first_wait)) return std::nullopt;
     if (!search.can_finish()) return std::nullopt;
     std::vector<input::Command> run = search.run();
