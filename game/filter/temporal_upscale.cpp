@@ -39,9 +39,7 @@ glm::mat3 picture_from_world(const Pinhole& lens) {
 void TemporalUpscaler::demodulate_row(const GuidedFrame& frame, int v) {
     for (int u = 0; u < frame.radiance.width; ++u) {
         const std::size_t i = frame.radiance.index(u, v);
-        const std::size_t at = static_cast<std::size_t>(v * frame.step + frame.offset.y) *
-                                   static_cast<std::size_t>(frame.guide.width) +
-                               static_cast<std::size_t>(u * frame.step + frame.offset.x);
+        const std::size_t at = frame.index_of_lit(u, v);
         const glm::vec3 light =
             glm::max((frame.radiance.pixels[i] - frame.guide.clean[at]) / frame.guide.albedo[at], 0.0f);
         Lit& lit = lit_[i];
@@ -63,20 +61,16 @@ bool TemporalUpscaler::are_one(const Guide& guide, std::size_t a, std::size_t b,
 
 void TemporalUpscaler::find_range_row(const GuidedFrame& frame, int v) {
     const int width = frame.radiance.width, height = frame.radiance.height;
-    const auto in_guide = [&](int x, int y) {
-        return static_cast<std::size_t>(y * frame.step + frame.offset.y) *
-                   static_cast<std::size_t>(frame.guide.width) +
-               static_cast<std::size_t>(x * frame.step + frame.offset.x);
-    };
     for (int u = 0; u < width; ++u) {
         Lit& lit = lit_[frame.radiance.index(u, v)];
         lit.low = lit.high = lit.light;
-        const std::size_t here = in_guide(u, v);
+        const std::size_t here = frame.index_of_lit(u, v);
         const float distance = motion_[here].distance;
         for (int y = std::max(0, v - 1); y <= std::min(height - 1, v + 1); ++y) {
             for (int x = std::max(0, u - 1); x <= std::min(width - 1, u + 1); ++x) {
                 const Lit& other = lit_[frame.radiance.index(x, y)];
-                if (!other.is_known || !are_one(frame.guide, here, in_guide(x, y), distance)) continue;
+                if (!other.is_known || !are_one(frame.guide, here, frame.index_of_lit(x, y), distance))
+                    continue;
                 lit.low = glm::min(lit.low, other.light);
                 lit.high = glm::max(lit.high, other.light);
             }
@@ -106,8 +100,7 @@ TemporalUpscaler::Motion TemporalUpscaler::motion_of(const Guide& guide, int x, 
 TemporalUpscaler::Lit TemporalUpscaler::fresh_light(const GuidedFrame& frame, int x, int y, float distance,
                                                     float& count) const {
     const int width = frame.radiance.width, height = frame.radiance.height;
-    const std::size_t here = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.guide.width) +
-                             static_cast<std::size_t>(x);
+    const std::size_t here = frame.guide.index(x, y);
     const auto step = static_cast<float>(frame.step);
     const glm::vec2 at = glm::vec2(x - frame.offset.x, y - frame.offset.y) / step;
     const glm::ivec2 low(glm::floor(at));
@@ -131,9 +124,7 @@ TemporalUpscaler::Lit TemporalUpscaler::fresh_light(const GuidedFrame& frame, in
             nearest_off = off2;
             nearest = &lit;
         }
-        const std::size_t there = static_cast<std::size_t>(v * frame.step + frame.offset.y) *
-                                      static_cast<std::size_t>(frame.guide.width) +
-                                  static_cast<std::size_t>(u * frame.step + frame.offset.x);
+        const std::size_t there = frame.index_of_lit(u, v);
         if (there != here && !are_one(frame.guide, here, there, distance)) continue;
         result.light += lit.light * weight;
         result.low = glm::min(result.low, lit.low);
@@ -165,8 +156,7 @@ TemporalUpscaler::Kept TemporalUpscaler::kept_light(const Guide& guide, int x, i
     float total = 0.0f;
     const auto take = [&](int u, int v, float weight) {
         if (u < 0 || v < 0 || u >= guide.width || v >= guide.height) return;
-        const Kept& kept = kept_[static_cast<std::size_t>(v) * static_cast<std::size_t>(guide.width) +
-                                 static_cast<std::size_t>(u)];
+        const Kept& kept = kept_[guide.index(u, v)];
         if (kept.part != part || !(kept.count > 0.0f) ||
             std::abs(kept.distance - motion.was_distance) > kSameDistance * motion.was_distance)
             return;
@@ -194,8 +184,7 @@ TemporalUpscaler::Kept TemporalUpscaler::kept_light(const Guide& guide, int x, i
 void TemporalUpscaler::light_row(const GuidedFrame& frame, int y) {
     const Guide& guide = frame.guide;
     for (int x = 0; x < guide.width; ++x) {
-        const std::size_t i =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(guide.width) + static_cast<std::size_t>(x);
+        const std::size_t i = guide.index(x, y);
         const Motion& motion = motion_[i];
         float count = 0.0f;
         const Lit fresh = fresh_light(frame, x, y, motion.distance, count);
@@ -235,8 +224,7 @@ void TemporalUpscaler::stretch(const Guide& guide) {
             const int u = x * size_.x / size.x, v = y * size_.y / size.y;
             const std::size_t from =
                 static_cast<std::size_t>(v) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(u);
-            const std::size_t to =
-                static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
+            const std::size_t to = guide.index(x, y);
             stretched[to] = kept_[from];
             stretched[to].count = std::min(stretched[to].count, 1.0f);
             picture[to] = picture_[from];
@@ -271,11 +259,10 @@ void TemporalUpscaler::add(const GuidedFrame& frame, const Jobs& jobs, Image& ou
     if (out.width != guide.width || out.height != guide.height) out = Image(guide.width, guide.height);
     const auto rows = static_cast<std::size_t>(guide.height);
     const auto lit_rows = static_cast<std::size_t>(frame.radiance.height);
-    jobs.run(rows, [&](std::size_t y, int) {
-        for (int x = 0; x < guide.width; ++x) {
-            const std::size_t i = y * static_cast<std::size_t>(guide.width) + static_cast<std::size_t>(x);
-            motion_[i] = motion_of(guide, x, static_cast<int>(y), i);
-        }
+    jobs.run(rows, [&](std::size_t row, int) {
+        const int y = static_cast<int>(row);
+        for (int x = 0; x < guide.width; ++x)
+            motion_[guide.index(x, y)] = motion_of(guide, x, y, guide.index(x, y));
     });
     jobs.run(lit_rows, [&](std::size_t v, int) { demodulate_row(frame, static_cast<int>(v)); });
     jobs.run(lit_rows, [&](std::size_t v, int) { find_range_row(frame, static_cast<int>(v)); });

@@ -27,6 +27,7 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -44,6 +45,10 @@ struct Guide {
     std::span<const glm::vec3> geometric;  // as GBuffer::geometric
     std::span<const glm::vec3> albedo;     // above 0: what light is multiplied by there, about
     std::span<const glm::vec3> clean;      // what shines by itself
+
+    [[nodiscard]] std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    }
 };
 
 struct GuidedFrame {
@@ -52,6 +57,11 @@ struct GuidedFrame {
     int step = 1;
     glm::ivec2 offset{0};  // pixel (u, v) shows what pixel step * (u, v) + offset of the guide does
     Guide guide;
+
+    // The pixel of the guide that a lit pixel is.
+    [[nodiscard]] std::size_t index_of_lit(int u, int v) const {
+        return guide.index(u * step + offset.x, v * step + offset.y);
+    }
 };
 
 class TemporalUpscaler {
