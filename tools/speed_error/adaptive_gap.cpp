@@ -15,12 +15,11 @@ constexpr int kWidth = 640, kHeight = 360;
 
 }  // namespace
 
-std::vector<Finding> adaptive_gaps(const Studio& studio, const gh::render::Camera& camera,
-                                   const std::string& view, std::uint64_t key, const gh::Jobs& jobs) {
+std::vector<Finding> adaptive_gaps(const View& view, const gh::Jobs& jobs) {
     const auto render = [&](const gh::render::WhittedSettings& settings, std::uint32_t seed,
                             gh::render::Film& film) {
         const double start = core_ms();
-        gh::render::render_whitted(studio.lit_view(), camera, settings, seed, jobs, film);
+        gh::render::render_whitted(view.studio.lit_view(), view.camera, settings, seed, jobs, film);
         return core_ms() - start;
     };
     gh::render::Film full(kWidth, kHeight), other(kWidth, kHeight);
@@ -31,9 +30,9 @@ std::vector<Finding> adaptive_gaps(const Studio& studio, const gh::render::Camer
     const auto compare = [&](const std::string& name, double ms) {
         gaps.push_back(
             {.table = "adaptive against full sampling, same seed, 640x360",
-             .view = view,
+             .view = view.name,
              .name = name,
-             .key = key,
+             .key = view.key,
              .values = {{"FLIP", metrics::flip(shown(other.radiance, exposure, jobs), wanted).mean},
                         {"relMSE", metrics::rel_mse(other.radiance, full.radiance).all},
                         {"core-ms", ms},

@@ -5,16 +5,12 @@
 #include "findings.h"
 #include "studio.h"
 
-#include <cstdint>
-#include <string>
 #include <vector>
 
 namespace speed_error {
 
 // At 640x360, for several thresholds of contrast. FLIP below .02 is the aim; the row "another seed" is full sampling
 // again with other random numbers: what noise alone makes of it.
-[[nodiscard]] std::vector<Finding> adaptive_gaps(const Studio& studio, const gh::render::Camera& camera,
-                                                 const std::string& view, std::uint64_t key,
-                                                 const gh::Jobs& jobs);
+[[nodiscard]] std::vector<Finding> adaptive_gaps(const View& view, const gh::Jobs& jobs);
 
 }  // namespace speed_error

@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 
 namespace {
 
@@ -24,20 +25,13 @@ using namespace gh;
 using speed_error::Finding;
 using speed_error::Report;
 using speed_error::Row;
+using speed_error::View;
 
 struct Options {
     std::string scene = "foyer", out = "out/speed_error", picture, only;
     std::vector<std::string> cameras;
     int width = 320, height = 180, reference_samples = 2048, runs = 3, threads = 0, cycles_samples = 16;
     bool is_quick = false, asks_cycles = false;
-};
-
-// A view, its camera, and what belongs to it alone.
-struct View {
-    const speed_error::Studio& studio;
-    std::string name;
-    render::Camera camera;
-    std::uint64_t key;
 };
 
 int complain(const std::string& sentence) {
@@ -58,14 +52,12 @@ std::vector<std::string> views_of(const world::Level& level, const Options& opti
 
 Result<speed_error::Reference> truth_of(const View& view, const std::string& truth, const Options& options,
                                         const Jobs& jobs) {
-    return speed_error::reference(truth,
+    return speed_error::reference(truth, view,
                                   {.samples_per_pixel = options.reference_samples,
                                    .folder = std::filesystem::path(options.out) / "references",
-                                   .view = view.name,
-                                   .scene_key = view.key,
                                    .width = options.width,
                                    .height = options.height},
-                                  view.studio.lit_view(), view.camera, jobs);
+                                  jobs);
 }
 
 Result<void> judge_pictures(const View& view, const Options& options, const Jobs& jobs, Report& report) {
@@ -87,8 +79,8 @@ Result<void> judge_pictures(const View& view, const Options& options, const Jobs
         Row wanted;
         wanted.view = view.name;
         wanted.contestant = all[i].name;
-        auto row = speed_error::measure(all[i], view.name, *truth, view.studio.lit_view(), view.camera,
-                                        options.runs, jobs, folder / speed_error::picture_name(wanted));
+        auto row = speed_error::measure(all[i], view, *truth, options.runs, jobs,
+                                        folder / speed_error::picture_name(wanted));
         if (!row) return row.error();
         report.rows.erase(std::remove_if(report.rows.begin(), report.rows.end(), is_same), report.rows.end());
         report.rows.push_back(*std::move(row));
@@ -109,12 +101,10 @@ void judge_motion(const View& view, const Options& options, const Jobs& jobs, Re
     for (const speed_error::Contestant& contestant : speed_error::moving_contestants()) {
         if (is_known(report, "over time, of what is shown", view, contestant.family)) continue;
         keep(report.findings,
-             speed_error::judge_over_time(contestant, view.studio, view.camera,
-                                          {view.name, view.key, options.width, options.height}, jobs));
+             speed_error::judge_over_time(contestant, view, options.width, options.height, jobs));
     }
     if (is_known(report, "adaptive against full sampling, same seed, 640x360", view, "contrast 0.25")) return;
-    for (Finding& gap : adaptive_gaps(view.studio, view.camera, view.name, view.key, jobs))
-        keep(report.findings, std::move(gap));
+    for (Finding& gap : adaptive_gaps(view, jobs)) keep(report.findings, std::move(gap));
 }
 
 Result<void> ask_others(const View& view, const Options& options, const Jobs& jobs, Report& report) {
@@ -202,19 +192,14 @@ void add_options(CLI::App& app, Options& options) {
     app.add_flag("--quick", options.is_quick, "one view, few samples, small: within a minute");
 }
 
-}  // namespace
+void make_quick(Options& options) {
+    options.width = std::min(options.width, 160);
+    options.height = std::min(options.height, 90);
+    options.reference_samples = std::min(options.reference_samples, 128);
+    options.runs = std::min(options.runs, 2);
+}
 
-int main(int argc, char** argv) {
-    Options options;
-    CLI::App app("Renders views in every way and says how wrong each is for what it costs.", "speed_error");
-    add_options(app, options);
-    CLI11_PARSE(app, argc, argv);
-    if (options.is_quick) {
-        options.width = std::min(options.width, 160);
-        options.height = std::min(options.height, 90);
-        options.reference_samples = std::min(options.reference_samples, 128);
-        options.runs = std::min(options.runs, 2);
-    }
+int judge_all(const Options& options) {
     const Jobs jobs(options.threads);
     const auto studio = speed_error::open_studio(options.scene, jobs);
     if (!studio) return complain(studio.error().sentence);
@@ -231,4 +216,20 @@ int main(int argc, char** argv) {
     }
     tell(report, options);
     return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        Options options;
+        CLI::App app("Renders views in every way and says how wrong each is for what it costs.",
+                     "speed_error");
+        add_options(app, options);
+        CLI11_PARSE(app, argc, argv);
+        if (options.is_quick) make_quick(options);
+        return judge_all(options);
+    } catch (const std::exception& error) {
+        return complain(error.what());
+    }
 }

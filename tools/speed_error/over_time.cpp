@@ -24,17 +24,18 @@ struct Frames {
     std::vector<gh::Image> lit, dark;
 };
 
-Frames film(const Contestant& contestant, const Studio& studio, const gh::render::Camera& camera,
-            const OverTimeSettings& settings, const gh::Jobs& jobs) {
+Frames film(const Contestant& contestant, const View& view, int width, int height, const gh::Jobs& jobs) {
     Frames frames;
-    gh::render::Film picture(settings.width, settings.height);
+    gh::render::Film picture(width, height);
+    const Studio& studio = view.studio;
     const Run make = contestant.begin();
     float exposure = 1.0f;
     const int lit = kSettling + kWatched;
     for (int frame = 0; frame < lit + (studio.has_switches() ? kDark : 0); ++frame) {
-        const gh::render::SceneView view = frame < lit ? studio.lit_view() : studio.dark_view();
-        make({.scene = view, .camera = camera, .frame = static_cast<std::uint32_t>(frame), .jobs = jobs},
-             picture);
+        const gh::render::SceneView scene = frame < lit ? studio.lit_view() : studio.dark_view();
+        make(
+            {.scene = scene, .camera = view.camera, .frame = static_cast<std::uint32_t>(frame), .jobs = jobs},
+            picture);
         if (frame < kSettling) continue;
         if (frame == kSettling) exposure = gh::filter::metered_exposure(picture.radiance);
         (frame < lit ? frames.lit : frames.dark).push_back(shown(picture.radiance, exposure, jobs));
@@ -80,14 +81,14 @@ double left_of(const gh::Image& picture, const gh::Image& lit, const gh::Image& 
 
 }  // namespace
 
-Finding judge_over_time(const Contestant& contestant, const Studio& studio, const gh::render::Camera& camera,
-                        const OverTimeSettings& settings, const gh::Jobs& jobs) {
+Finding judge_over_time(const Contestant& contestant, const View& view, int width, int height,
+                        const gh::Jobs& jobs) {
     Finding finding{.table = "over time, of what is shown",
-                    .view = settings.view,
+                    .view = view.name,
                     .name = contestant.family,
-                    .key = settings.key,
+                    .key = view.key,
                     .values = {}};
-    const Frames frames = film(contestant, studio, camera, settings, jobs);
+    const Frames frames = film(contestant, view, width, height, jobs);
     finding.values.emplace_back("deviation %", 100.0 * deviation_of(frames.lit));
     if (frames.dark.empty()) return finding;
     const gh::Image lit = mean_of(frames.lit, 0);

@@ -6,15 +6,7 @@
 #include "findings.h"
 #include "studio.h"
 
-#include <string>
-
 namespace speed_error {
-
-struct OverTimeSettings {
-    std::string view;
-    std::uint64_t key = 0;
-    int width = 320, height = 180;
-};
 
 // "deviation %": of a pixel as it is shown, of white, over eight frames of a view in which nothing moves, after sixteen.
 // "frames to 10 %": after all lamps with a switch went off, until no more than a tenth of what they gave is left, in this
@@ -22,8 +14,7 @@ struct OverTimeSettings {
 // the first": of what was shown, in per cent.
 // What is left is the picture's part along (lit - dark), both as this very way shows them when it has settled, so that
 // neither noise nor bias counts as lag.
-[[nodiscard]] Finding judge_over_time(const Contestant& contestant, const Studio& studio,
-                                      const gh::render::Camera& camera, const OverTimeSettings& settings,
+[[nodiscard]] Finding judge_over_time(const Contestant& contestant, const View& view, int width, int height,
                                       const gh::Jobs& jobs);
 
 }  // namespace speed_error

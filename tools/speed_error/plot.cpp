@@ -22,6 +22,13 @@ struct Axis {
         low = std::min(low, std::pow(10.0, std::floor(std::log10(value))));
         high = std::max(high, std::pow(10.0, std::ceil(std::log10(value) + 1e-9)));
     }
+    // Where lines go: 1, 10, 100 and so on.
+    [[nodiscard]] std::vector<double> decades() const {
+        const int count = static_cast<int>(std::lround(std::log10(high / low)));
+        std::vector<double> all;
+        for (int i = 0; i <= count; ++i) all.push_back(low * std::pow(10.0, i));
+        return all;
+    }
     [[nodiscard]] double share(double value) const { return std::log(value / low) / std::log(high / low); }
 };
 
@@ -50,13 +57,13 @@ std::string plot(const std::vector<Line>& lines, const std::string& x_title, con
         "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {0} {1}' width='{0}' height='{1}' "
         "font-family='sans-serif' font-size='11'>\n",
         kPlotWidth, kPlotHeight);
-    for (double x = x_axis.low; x <= x_axis.high * 1.01; x *= 10.0) {
+    for (const double x : x_axis.decades()) {
         svg += fmt::format(
             "<line x1='{0:.1f}' x2='{0:.1f}' y1='{1}' y2='{2}' stroke='#ddd'/>"
             "<text x='{0:.1f}' y='{3}' text-anchor='middle'>{4:g}</text>\n",
             x_at(x), kTop, kPlotHeight - kBottom, kPlotHeight - kBottom + 15, x);
     }
-    for (double y = y_axis.low; y <= y_axis.high * 1.01; y *= 10.0) {
+    for (const double y : y_axis.decades()) {
         svg += fmt::format(
             "<line x1='{0}' x2='{1}' y1='{2:.1f}' y2='{2:.1f}' stroke='#ddd'/>"
             "<text x='{3}' y='{4:.1f}' text-anchor='end'>{5:g}</text>\n",

@@ -25,12 +25,12 @@ struct Header {
     std::int32_t width, height;
 };
 
-std::uint64_t key_of(const std::string& truth, const ReferenceSettings& settings) {
+std::uint64_t key_of(const std::string& truth, const View& view, const ReferenceSettings& settings) {
     gh::Hasher hash;
     hash.add(kVersion);
     for (const char c : truth) hash.add(static_cast<std::uint8_t>(c));
     hash.add(settings.samples_per_pixel);
-    hash.add(settings.scene_key);
+    hash.add(view.key);
     hash.add(settings.width);
     hash.add(settings.height);
     return hash.digest();
@@ -64,12 +64,11 @@ gh::Result<void> write(const std::filesystem::path& path, const Reference& refer
 
 }  // namespace
 
-gh::Result<Reference> reference(const std::string& truth, const ReferenceSettings& settings,
-                                const gh::render::SceneView& scene, const gh::render::Camera& camera,
+gh::Result<Reference> reference(const std::string& truth, const View& view, const ReferenceSettings& settings,
                                 const gh::Jobs& jobs) {
     Reference result;
-    result.key = key_of(truth, settings);
-    const std::filesystem::path path = settings.folder / fmt::format("{}_{}.reference", settings.view, truth);
+    result.key = key_of(truth, view, settings);
+    const std::filesystem::path path = settings.folder / fmt::format("{}_{}.reference", view.name, truth);
     if (read(path, result, settings)) return result;
 
     const int samples = std::min(kSamplesAtOnce, std::max(1, settings.samples_per_pixel / 2));
@@ -78,11 +77,11 @@ gh::Result<Reference> reference(const std::string& truth, const ReferenceSetting
     gh::Image half[2] = {gh::Image(settings.width, settings.height),
                          gh::Image(settings.width, settings.height)};
     gh::render::Film film(settings.width, settings.height);
-    gh::Progress progress(fmt::format("reference {}, {}", settings.view, truth),
+    gh::Progress progress(fmt::format("reference {}, {}", view.name, truth),
                           static_cast<std::size_t>(2 * parts));
     for (int part = 0; part < 2 * parts; ++part) {
-        make({.scene = scene,
-              .camera = camera,
+        make({.scene = view.studio.lit_view(),
+              .camera = view.camera,
               .seed = 0x10000u + static_cast<std::uint32_t>(part),
               .jobs = jobs},
              film);

@@ -4,6 +4,7 @@
 #include "base/image.h"
 #include "base/result.h"
 #include "contestants.h"
+#include "studio.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -20,14 +21,11 @@ struct Reference {
 struct ReferenceSettings {
     int samples_per_pixel = 1024;  // of both halves together
     std::filesystem::path folder;
-    std::string view;         // names the file, with the truth
-    std::uint64_t scene_key;  // changes with level and camera
     int width = 320, height = 180;
 };
 
-// Reads the file when it was made from the very same things; makes and writes it otherwise.
-[[nodiscard]] gh::Result<Reference> reference(const std::string& truth, const ReferenceSettings& settings,
-                                              const gh::render::SceneView& scene,
-                                              const gh::render::Camera& camera, const gh::Jobs& jobs);
+// Reads the file, named by truth and view, when it was made from the very same things; makes and writes it otherwise.
+[[nodiscard]] gh::Result<Reference> reference(const std::string& truth, const View& view,
+                                              const ReferenceSettings& settings, const gh::Jobs& jobs);
 
 }  // namespace speed_error

@@ -45,10 +45,9 @@ double Row::efficiency() const {
     return cost > 0.0 ? 1.0 / cost : 0.0;
 }
 
-gh::Result<Row> measure(const Contestant& contestant, const std::string& view, const Reference& truth,
-                        const gh::render::SceneView& scene, const gh::render::Camera& camera, int runs,
+gh::Result<Row> measure(const Contestant& contestant, const View& view, const Reference& truth, int runs,
                         const gh::Jobs& jobs, const std::filesystem::path& picture) {
-    Row row{.view = view,
+    Row row{.view = view.name,
             .contestant = contestant.name,
             .family = contestant.family,
             .truth = contestant.truth,
@@ -66,8 +65,8 @@ gh::Result<Row> measure(const Contestant& contestant, const std::string& view, c
         const Run make = contestant.begin();
         for (int frame = 0; frame < contestant.frames; ++frame) {
             const double start = wall_ms();
-            const StageTimes times = make({.scene = scene,
-                                           .camera = camera,
+            const StageTimes times = make({.scene = view.studio.lit_view(),
+                                           .camera = view.camera,
                                            .seed = static_cast<std::uint32_t>(run),
                                            .frame = static_cast<std::uint32_t>(frame),
                                            .jobs = jobs},

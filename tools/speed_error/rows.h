@@ -5,6 +5,7 @@
 #include "base/result.h"
 #include "contestants.h"
 #include "reference.h"
+#include "studio.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -35,10 +36,8 @@ struct Row {
 
 // Runs the contestant `runs` times with other seeds and writes its first picture as PNG, exposed as the reference. The
 // last frame of each run is judged; the cost is that of one frame.
-[[nodiscard]] gh::Result<Row> measure(const Contestant& contestant, const std::string& view,
-                                      const Reference& truth, const gh::render::SceneView& scene,
-                                      const gh::render::Camera& camera, int runs, const gh::Jobs& jobs,
-                                      const std::filesystem::path& picture);
+[[nodiscard]] gh::Result<Row> measure(const Contestant& contestant, const View& view, const Reference& truth,
+                                      int runs, const gh::Jobs& jobs, const std::filesystem::path& picture);
 
 // The slope of log rms error over log samples of a family's rows on one view (least squares); 0 with fewer than two.
 [[nodiscard]] double slope(const std::vector<Row>& rows, const std::string& view, const std::string& family,

@@ -29,6 +29,14 @@ struct Studio {
 // A level's name, or any .gltf or .glb.
 [[nodiscard]] gh::Result<Studio> open_studio(const std::string& scene, const gh::Jobs& jobs);
 
+// One picture's worth of a studio, and what its figures are filed under.
+struct View {
+    const Studio& studio;
+    std::string name;
+    gh::render::Camera camera;
+    std::uint64_t key;
+};
+
 // Changes with the level, what is on in it, and the camera.
 [[nodiscard]] std::uint64_t scene_key(const gh::world::Level& level, const gh::render::Camera& camera);
 
