@@ -116,57 +116,6 @@ bool is_due(Lesson lesson, const world::Level& level, const State& state) {
     return false;
 }
 
-std::string room_of(const world::Level& level, const glm::vec3& place) {
-    for (const world::Room& room : level.rooms) {
-        if (glm::all(glm::lessThanEqual(room.box.min, place)) &&
-            glm::all(glm::lessThanEqual(place, room.box.max)))
-            return room.title.empty() ? room.name : room.title;
-    }
-    return "";
-}
-
-// "Steal the Founder's Lens from the Lens Cabinet"; as much of it as the level tells.
-std::string goal_words(const world::Level& level) {
-    if (level.lenses.size() > 1) return "Steal every lens, and leave by the exit";
-    const world::Lens& lens = level.lenses.front();
-    const std::string room = room_of(level, lens.centre);
-    return "Steal " + (lens.title.empty() ? "the lens" : lens.title) +
-           (room.empty() ? "" : " from the " + room) + ", unseen";
-}
-
-std::string exit_words(const world::Level& level) {
-    const std::string room =
-        level.exits.empty() ? "" : room_of(level, (level.exits.front().min + level.exits.front().max) * 0.5f);
-    return room.empty() ? "It is yours. Now out of here" : "It is yours. Now out, through the " + room;
-}
-
-std::string words_for(Lesson lesson, const world::Level& level) {
-    switch (lesson) {
-        case Lesson::Chase:
-            return "Run!  Shift.  Out of his sight he loses you; a shut door costs him time";
-        case Lesson::Search:
-            return "He is searching where he last noticed you: be somewhere else, low and in the dark";
-        case Lesson::Doubt:
-            return "He noticed something. The arc points to him and says through what: get out of it, and "
-                   "wait";
-        case Lesson::Exit:
-            return exit_words(level);
-        case Lesson::Goal:
-            return goal_words(level);
-        case Lesson::HandMirror:
-            return "Hold F: the mirror shows what is behind you; with Q or R, what is round that corner";
-        case Lesson::Light:
-            return "The bright diamond below: this is how well he sees you. E at a switch puts the lamp out";
-        case Lesson::Crouch:
-            return "Ctrl or C: crouch. Hardly heard, and hidden behind anything knee-high";
-        case Lesson::Lean:
-            return "Q or R: lean round the corner, without being there";
-        case Lesson::Stone:
-            return "Hold the left mouse button to aim a stone, let go to throw: he goes to see what that was";
-    }
-    return "";
-}
-
 }  // namespace
 
 float Hints::strength() const {
@@ -187,9 +136,8 @@ void Hints::learn(const world::Level& level, const State& state) {
     if (has_every_lens(level, state)) is_known_[index_of(Lesson::Goal)] = 1;
 }
 
-void Hints::show(Lesson lesson, const world::Level& level) {
+void Hints::show(Lesson lesson) {
     shown_ = lesson;
-    words_ = words_for(lesson, level);
     is_known_[index_of(lesson)] = 1;
     age_ = 0.0f;
     left_ = kStands;
@@ -214,7 +162,7 @@ void Hints::note_tick(const world::Level& level, const world::Snapshot& now) {
         const auto lesson = static_cast<Lesson>(i);
         const bool has_room = is_urgent(lesson) ? !shown_ || *shown_ > lesson : !shown_ && rest_ <= 0.0f;
         if (!has_room || is_known_[i] != 0 || !is_due(lesson, level, state)) continue;
-        return show(lesson, level);
+        return show(lesson);
     }
 }
 

@@ -10,7 +10,6 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
 
 namespace gh::app {
 
@@ -24,17 +23,15 @@ class Hints {
 
     // What is shown now; none between two lines.
     [[nodiscard]] std::optional<Lesson> lesson() const { return shown_; }
-    [[nodiscard]] const std::string& words() const { return words_; }
     // 0 gone .. 1 fully there.
     [[nodiscard]] float strength() const;
 
   private:
     void learn(const world::Level& level, const world::State& state);
-    void show(Lesson lesson, const world::Level& level);
+    void show(Lesson lesson);
 
     std::array<std::uint8_t, kLessons> is_known_{};
     std::optional<Lesson> shown_;
-    std::string words_;
     float age_ = 0.0f;   // seconds the line has stood
     float left_ = 0.0f;  // seconds it will
     float rest_ = 0.0f;  // seconds of quiet before the next

@@ -1,5 +1,6 @@
 #include "app/hud_model.h"
 
+#include "app/hint_words.h"
 #include "sim/guards.h"
 #include "sim/stones.h"
 #include "sim/use_target.h"
@@ -113,34 +114,32 @@ std::string title_of_room(const world::Level& level, const glm::vec3& position) 
     return "";
 }
 
-// "E  open the door": what `use` would do now, by the simulation's own account.
-std::string prompt_of(const world::Level& level, const world::Snapshot& now) {
+// "open: door": what `use` would do now, by the simulation's own account.
+std::string offer_of(const world::Level& level, const world::Snapshot& now) {
     const sim::UseTarget target = sim::use_target(level, now, now.state.player);
     const auto named = [](const std::string& title, const char* otherwise) {
-        return title.empty() ? otherwise : title;
+        return title.empty() ? std::string(otherwise) : title;
     };
     switch (target.kind) {
         case sim::UseKind::Nothing:
             return "";
-        case sim::UseKind::Door: {
-            const bool is_open = now.state.doors[target.index].wants_open != 0;
-            return std::string("E   ") + (is_open ? "close: " : "open: ") +
+        case sim::UseKind::Door:
+            return (now.state.doors[target.index].wants_open != 0 ? "close: " : "open: ") +
                    named(level.doors[target.index].title, "door");
-        }
         case sim::UseKind::Mirror:
-            return "E   turn: " + std::string(named(level.mirrors[target.index].title, "mirror"));
+            return "turn: " + named(level.mirrors[target.index].title, "mirror");
         case sim::UseKind::Switch: {
             const std::uint32_t group = level.switches[target.index].group;
             const bool is_on = group != world::kNoIndex && now.state.group_on[group] != 0;
-            return std::string("E   ") + (is_on ? "lights off: " : "lights on: ") +
+            return (is_on ? "lights off: " : "lights on: ") +
                    named(level.switches[target.index].title, "lamps");
         }
         case sim::UseKind::Lens:
-            return "E   take: " + std::string(named(level.lenses[target.index].title, "the lens"));
+            return "take: " + named(level.lenses[target.index].title, "the lens");
         case sim::UseKind::HandMirror:
-            return "E   take: " + std::string(named(level.mirrors[target.index].title, "the hand mirror"));
+            return "take: " + named(level.mirrors[target.index].title, "the hand mirror");
         case sim::UseKind::Stone:
-            return "E   pick up the stone";
+            return "pick up the stone";
     }
     return "";
 }
@@ -161,10 +160,10 @@ std::vector<glm::vec2> arc_in_picture(const world::Level& level, const world::Sn
     return arc;
 }
 
-void write_outcome(const world::State& state, present::HudModel& hud) {
+void write_outcome(const world::State& state, const KeyWords& keys, present::HudModel& hud) {
     if (state.rules.outcome == world::Outcome::Caught) {
         hud.headline = "Caught";
-        hud.subline = "press E to go back to the last checkpoint";
+        hud.subline = "press " + keys.one(input::Action::Use) + " to go back to the last checkpoint";
     } else if (state.rules.outcome == world::Outcome::Won) {
         hud.headline = "Into the night";
         hud.subline = "the lens is yours; Esc for the menu";
@@ -247,14 +246,14 @@ present::HudModel HudReader::model(const world::Level& level, const world::Snaps
     hud.is_crouched = player.stance == world::Stance::Crouch;
     hud.is_running = !hud.is_crouched && glm::length(player.velocity) > 3.0f;
     hud.stones_left = player.stones_left;
-    hud.has_mirror = player.has_mirror != 0;
+    if (player.has_mirror != 0) hud.mirror = choices.keys.one(input::Action::HandMirror) + "  hand mirror";
     hud.lenses_total = static_cast<int>(level.lenses.size());
     hud.lenses_taken = state.rules.lenses_taken_count;
     hud.room = room_;
     hud.room_age = room_age_;
     if (choices.captions) hud.captions = captions_.list();
     if (choices.hints && hints_.lesson()) {
-        hud.hint = hints_.words();
+        hud.hint = words_for(*hints_.lesson(), level, choices.keys);
         hud.hint_strength = hints_.strength();
     }
     for (std::size_t g = 0; g < level.guards.size(); ++g) {
@@ -269,8 +268,11 @@ present::HudModel HudReader::model(const world::Level& level, const world::Snaps
         hud.aim = std::min(1.0f, static_cast<float>(player.aim_ticks) / world::kTicksPerSecond);
         hud.throw_arc = arc_in_picture(level, now, camera, aspect);
     }
-    if (state.rules.outcome == world::Outcome::Playing) hud.prompt = prompt_of(level, now);
-    write_outcome(state, hud);
+    if (state.rules.outcome == world::Outcome::Playing) {
+        hud.prompt = offer_of(level, now);
+        if (!hud.prompt.empty()) hud.prompt = choices.keys.one(input::Action::Use) + "   " + hud.prompt;
+    }
+    write_outcome(state, choices.keys, hud);
     return hud;
 }
 

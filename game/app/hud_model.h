@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/hints.h"
+#include "app/key_words.h"
 #include "present/hud.h"
 #include "render/camera.h"
 #include "world/level.h"
@@ -14,10 +15,11 @@
 
 namespace gh::app {
 
-// What the player wants to read.
+// What the player wants to read, and what his keys are called.
 struct HudChoices {
     bool captions = true;
     bool hints = true;
+    KeyWords keys = key_words(input::default_bindings());
 };
 
 class HudReader {

@@ -1,7 +1,6 @@
 #include "app/loop.h"
 
 #include "app/quality.h"
-#include "app/settings.h"
 #include "present/hud.h"
 #include "present/profiler.h"
 #include "sim/rules.h"
@@ -56,11 +55,15 @@ Loop::Loop(Session& session, present::Window& window, std::string level_name,
       level_name_(std::move(level_name)),
       watched_(std::move(watched)),
       devices_(window.device()),
-      settings_(load_settings(settings_path())) {
+      menu_(devices_, settings_path()) {
+    for (const std::string& complaint : menu_.complaints()) {
+        std::cerr << "glasshouse: " << complaint << '\n';
+        hud_.say(complaint);
+    }
     auto sound = Sound::open_device();
     if (sound) {
         sound_ = *std::move(sound);
-        sound_->set_volume(settings_.volume);
+        sound_->set_volume(menu_.settings().volume);
     } else {
         std::cerr << "glasshouse: " << sound.error().sentence << '\n';
     }
@@ -88,6 +91,7 @@ Result<void> Loop::run(const std::filesystem::path& record_to) {
         advance_time();
         draw();
     }
+    if (is_paused_) keep_settings();
     if (recorder_) {
         if (auto finished = recorder_->finish(); !finished && !trouble_) trouble_ = finished.error();
     }
@@ -96,8 +100,9 @@ Result<void> Loop::run(const std::filesystem::path& record_to) {
 }
 
 void Loop::handle_keys() {
-    const input::ProgramKeys keys = devices_.program_keys();
-    if (keys.menu) set_paused(!is_paused_);
+    const input::ProgramKeys keys = devices_.program_keys(menu_.keys());
+    if (keys.menu && !(is_paused_ && menu_.go_back())) set_paused(!is_paused_);
+    if (menu_.asks_for_key()) return;
     if (keys.profiler) shows_profiler_ = !shows_profiler_;
     if (keys.next_plane) show_next_plane();
     if (keys.fullscreen) window_.toggle_fullscreen();
@@ -116,9 +121,16 @@ void Loop::set_paused(bool is_paused) {
     is_paused_ = is_paused;
     window_.capture_cursor(!is_paused);
     if (sound_) sound_->set_paused(is_paused);
-    if (!is_paused) {
-        if (auto saved = save_settings(settings_path(), settings_); !saved) hud_.say(saved.error().sentence);
-    }
+    if (is_paused) return menu_.open();
+    devices_.begin_listening();
+    keep_settings();
+}
+
+void Loop::keep_settings() {
+    const auto saved = menu_.save();
+    if (saved) return;
+    hud_.say(saved.error().sentence);
+    std::cerr << "glasshouse: " << saved.error().sentence << '\n';
 }
 
 void Loop::advance_time() {
@@ -139,10 +151,11 @@ void Loop::advance_time() {
 
 input::Command Loop::next_command() {
     if (is_watching()) return (*watched_)[watched_next_++];
-    const input::DeviceSettings settings{.mouse_sensitivity = settings_.mouse_sensitivity,
-                                         .inverts_y = settings_.inverts_y,
-                                         .toggles_crouch = settings_.toggles_crouch};
-    return devices_.sample(settings, !is_paused_);
+    const present::MenuSettings& chosen = menu_.settings();
+    const input::DeviceSettings settings{.mouse_sensitivity = chosen.mouse_sensitivity,
+                                         .inverts_y = chosen.inverts_y,
+                                         .toggles_crouch = chosen.toggles_crouch};
+    return devices_.sample(settings, menu_.keys());
 }
 
 void Loop::run_tick() {
@@ -164,7 +177,7 @@ void Loop::run_tick() {
 }
 
 void Loop::expose(const render::SceneView& scene, const render::Camera& camera, const PictureShape& shape) {
-    const Quality quality = quality_of(settings_.quality);
+    const Quality quality = quality_of(menu_.settings().quality);
     if (traced_ || plane_ != PlaneView::Picture) {
         const render::PathSettings path = following(quality.path, traced_.value_or(render::LightPaths::All));
         view_.expose_next(scene, camera, path, frame_, shape, *session_.jobs);
@@ -174,11 +187,12 @@ void Loop::expose(const render::SceneView& scene, const render::Camera& camera, 
 }
 
 void Loop::draw() {
-    const Quality quality = quality_of(settings_.quality);
+    const Quality quality = quality_of(menu_.settings().quality);
     resolution_.bound(quality.fewest_pixels, quality.most_pixels);
     const PictureShape shape = resolution_.shape_for(window_.framebuffer_size());
     const std::shared_ptr<const world::Snapshot> now = session_.simulation->snapshot();
-    const render::Camera camera = player_camera(now->state.player, settings_.field_of_view * kRadiansADegree);
+    const render::Camera camera =
+        player_camera(now->state.player, menu_.settings().field_of_view * kRadiansADegree);
     frame_watch_.begin_round();
     if (shape.lit.x > 0) {
         frame_watch_.enter("render");
@@ -188,11 +202,11 @@ void Loop::draw() {
         expose(scene, camera, shape);
         seen_before_ = now;
         frame_watch_.enter("filter");
-        view_.develop(frame_, picture_seconds_, settings_.brightness, *session_.jobs);
+        view_.develop(frame_, picture_seconds_, menu_.settings().brightness, *session_.jobs);
         if (plane_ != PlaneView::Picture) view_.develop_plane(plane_, *session_.jobs);
-        const float ticks_ms = tick_watch_.round_ms() * settings_.frames_a_second / 60.0f;
-        resolution_.note_frame(milliseconds_since(start) + ticks_ms, 1000.0f / settings_.frames_a_second,
-                               window_.framebuffer_size());
+        const float ticks_ms = tick_watch_.round_ms() * menu_.settings().frames_a_second / 60.0f;
+        resolution_.note_frame(milliseconds_since(start) + ticks_ms,
+                               1000.0f / menu_.settings().frames_a_second, window_.framebuffer_size());
         picture_seconds_ = 0.0f;
         ++frame_;
     }
@@ -206,10 +220,14 @@ void Loop::draw() {
 void Loop::draw_ui(const render::Camera& camera) {
     const std::shared_ptr<const world::Snapshot> now = session_.simulation->snapshot();
     const glm::vec2 shown = window_.picture_size();
-    present::draw_hud(window_, hud_.model(*session_.level, *now, camera, shown.x / shown.y,
-                                          {.captions = settings_.shows_captions,
-                                           .hints = settings_.shows_hints && !is_watching()}));
-    if (plane_ != PlaneView::Picture) present::draw_title(window_, words_of(plane_));
+    const present::MenuSettings& chosen = menu_.settings();
+    const HudChoices choices{.captions = chosen.shows_captions,
+                             .hints = chosen.shows_hints && !is_watching(),
+                             .keys = menu_.words()};
+    if (!is_paused_)
+        present::draw_hud(window_, hud_.model(*session_.level, *now, camera, shown.x / shown.y, choices));
+    if (plane_ != PlaneView::Picture)
+        present::draw_title(window_, menu_.words().one(input::Action::Planes) + ": " + words_of(plane_));
     if (shows_profiler_) {
         present::ProfileModel model = profile_model(frame_watch_, tick_watch_, view_.film().stats);
         const glm::ivec2 window_size = window_.framebuffer_size();
@@ -222,15 +240,13 @@ void Loop::draw_ui(const render::Camera& camera) {
     if (is_paused_) {
         const std::string note =
             recorder_ ? "this run is recorded in " + recorder_->path().string() : std::string();
-        obey(present::draw_pause_menu(settings_, note));
-        if (sound_) sound_->set_volume(settings_.volume);
+        obey(menu_.draw(note));
+        if (sound_) sound_->set_volume(menu_.settings().volume);
     }
 }
 
 void Loop::obey(present::MenuAction action) {
     switch (action) {
-        case present::MenuAction::None:
-            return;
         case present::MenuAction::Resume:
             set_paused(false);
             return;
@@ -238,9 +254,14 @@ void Loop::obey(present::MenuAction action) {
             wants_to_quit_ = true;
             return;
         case present::MenuAction::RestartLevel:
-            break;
+            return start_again();
+        default:
+            return;  // it concerned the menu alone
     }
-    // A new run, and a recording of its own.
+}
+
+// A new run, and a recording of its own.
+void Loop::start_again() {
     if (recorder_) {
         if (auto finished = recorder_->finish(); !finished) trouble_ = finished.error();
     }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "app/hud_model.h"
+#include "app/pause_menu.h"
 #include "app/profile.h"
 #include "app/recording.h"
 #include "app/resolution.h"
@@ -12,7 +13,6 @@
 #include "app/sound.h"
 #include "app/view.h"
 #include "input/devices.h"
-#include "present/menu.h"
 #include "present/window.h"
 
 #include <optional>
@@ -30,7 +30,7 @@ class Loop {
     // Pictures by path tracing from now on.
     void trace_paths(render::LightPaths lights) { traced_ = lights; }
     // Instead of what was saved.
-    void use_quality(present::QualityName quality) { settings_.quality = quality; }
+    void use_quality(present::QualityName quality) { menu_.settings().quality = quality; }
     // Until the player quits. An error is a recording that can no longer be written.
     [[nodiscard]] Result<void> run(const std::filesystem::path& record_to);
 
@@ -44,6 +44,8 @@ class Loop {
     void expose(const render::SceneView& scene, const render::Camera& camera, const PictureShape& shape);
     void draw_ui(const render::Camera& camera);
     void obey(present::MenuAction action);
+    void start_again();
+    void keep_settings();
     Result<void> begin_recording(const std::filesystem::path& path);
     [[nodiscard]] input::Command next_command();
     [[nodiscard]] bool is_watching() const { return watched_.has_value(); }
@@ -55,7 +57,7 @@ class Loop {
     std::size_t watched_next_ = 0;
 
     input::Devices devices_;
-    present::MenuSettings settings_;
+    PauseMenu menu_;
     std::optional<Recorder> recorder_;
     std::optional<Error> trouble_;
     std::unique_ptr<Sound> sound_;

@@ -1,5 +1,6 @@
 #include "app/options.h"
 
+#include "app/settings.h"
 #include "present/menu.h"
 
 #include <CLI/CLI.hpp>
@@ -160,6 +161,8 @@ std::variant<Options, int> parse_options(int argc, char** argv) {
     InspectOptions inspect;
 
     CLI::App app("Glasshouse: a stealth game that is ray traced throughout.", "glasshouse");
+    app.footer("Settings and keys are kept in " + settings_path().string() + ",\nrecordings in " +
+               recordings_path().string() + ".");
     app.set_version_flag("--version", GLASSHOUSE_VERSION);
     app.add_option("LEVEL", play.level, "a level under assets/levels, or any .gltf or .glb")
         ->capture_default_str();

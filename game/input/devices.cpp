@@ -16,27 +16,19 @@ constexpr float kStickTurnRate = 2.6f / 60.0f;  // radians a tick at full deflec
 constexpr float kStickDeadZone = 0.18f;
 constexpr float kMaxPitchRadians = 1.5533430f;  // 89 degrees
 
-struct Binding {
+struct PadBinding {
     int key;
     Button button;
 };
 
-constexpr std::array kKeys = {
-    Binding{GLFW_KEY_LEFT_SHIFT, Run}, Binding{GLFW_KEY_LEFT_CONTROL, Crouch},
-    Binding{GLFW_KEY_C, Crouch},       Binding{GLFW_KEY_SPACE, Jump},
-    Binding{GLFW_KEY_Q, LeanLeft},     Binding{GLFW_KEY_R, LeanRight},
-    Binding{GLFW_KEY_E, Use},          Binding{GLFW_KEY_F, HandMirror},
-    Binding{GLFW_KEY_G, Throw},        Binding{GLFW_KEY_BACKSPACE, Restart},
-};
-
 constexpr std::array kPadButtons = {
-    Binding{GLFW_GAMEPAD_BUTTON_A, Jump},
-    Binding{GLFW_GAMEPAD_BUTTON_B, Crouch},
-    Binding{GLFW_GAMEPAD_BUTTON_X, Use},
-    Binding{GLFW_GAMEPAD_BUTTON_LEFT_BUMPER, LeanLeft},
-    Binding{GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER, LeanRight},
-    Binding{GLFW_GAMEPAD_BUTTON_LEFT_THUMB, Run},
-    Binding{GLFW_GAMEPAD_BUTTON_BACK, Restart},
+    PadBinding{GLFW_GAMEPAD_BUTTON_A, Jump},
+    PadBinding{GLFW_GAMEPAD_BUTTON_B, Crouch},
+    PadBinding{GLFW_GAMEPAD_BUTTON_X, Use},
+    PadBinding{GLFW_GAMEPAD_BUTTON_LEFT_BUMPER, LeanLeft},
+    PadBinding{GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER, LeanRight},
+    PadBinding{GLFW_GAMEPAD_BUTTON_LEFT_THUMB, Run},
+    PadBinding{GLFW_GAMEPAD_BUTTON_BACK, Restart},
 };
 
 float beyond_dead_zone(float axis) {
@@ -79,41 +71,74 @@ void Devices::read_gamepad(Command& command) {
     if (back != 0.0f) command.move_forward = quantise_move(-back);
     if (pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER] > 0.0f) command.buttons |= Throw;
     if (pad.axes[GLFW_GAMEPAD_AXIS_LEFT_TRIGGER] > 0.0f) command.buttons |= HandMirror;
-    for (const Binding& binding : kPadButtons) {
+    for (const PadBinding& binding : kPadButtons) {
         if (pad.buttons[binding.key] == GLFW_PRESS) command.buttons |= binding.button;
     }
 }
 
-ProgramKeys Devices::program_keys() {
-    const auto is_down = [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS; };
-    const ProgramKeys now{is_down(GLFW_KEY_ESCAPE), is_down(GLFW_KEY_F3), is_down(GLFW_KEY_F4),
-                          is_down(GLFW_KEY_F11)};
+bool Devices::is_down(Key key) const {
+    if (is_mouse_button(key)) return glfwGetMouseButton(window_, key.code - kFirstMouseButton) == GLFW_PRESS;
+    return glfwGetKey(window_, key.code) == GLFW_PRESS;
+}
+
+ProgramKeys Devices::program_keys(const Bindings& bindings) {
+    const ActionSet acting = held_actions(bindings, [&](Key key) { return is_down(key); });
+    const auto is_acting = [&](Action action) { return acting[index_of(action)]; };
+    const ProgramKeys now{glfwGetKey(window_, GLFW_KEY_ESCAPE) == GLFW_PRESS, is_acting(Action::Profiler),
+                          is_acting(Action::Planes), is_acting(Action::FullScreen)};
     const ProgramKeys pressed{now.menu && !held_.menu, now.profiler && !held_.profiler,
                               now.next_plane && !held_.next_plane, now.fullscreen && !held_.fullscreen};
     held_ = now;
     return pressed;
 }
 
-Command Devices::sample(const DeviceSettings& settings, bool is_listening) {
-    Command command;
-    if (is_listening) {
-        turn_head(settings);
-        const auto is_down = [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS; };
-        const int right = (is_down(GLFW_KEY_D) || is_down(GLFW_KEY_RIGHT)) -
-                          (is_down(GLFW_KEY_A) || is_down(GLFW_KEY_LEFT));
-        const int forward =
-            (is_down(GLFW_KEY_W) || is_down(GLFW_KEY_UP)) - (is_down(GLFW_KEY_S) || is_down(GLFW_KEY_DOWN));
-        command.move_right = static_cast<std::int8_t>(right * kMaxMove);
-        command.move_forward = static_cast<std::int8_t>(forward * kMaxMove);
-        for (const Binding& binding : kKeys) {
-            if (is_down(binding.key)) command.buttons |= binding.button;
-        }
-        if (glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) command.buttons |= Throw;
-        if (glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS) command.buttons |= Cancel;
-        read_gamepad(command);
-    } else {
-        knows_cursor_ = false;  // the pointer may come back anywhere
+void Devices::begin_asking() {
+    down_before_asking_.clear();
+    for (const Key key : bindable_keys()) {
+        if (is_down(key)) down_before_asking_.push_back(key);
     }
+}
+
+Key Devices::asked_key() {
+    for (const Key key : bindable_keys()) {
+        const auto before = std::find(down_before_asking_.begin(), down_before_asking_.end(), key);
+        if (!is_down(key)) {
+            if (before != down_before_asking_.end()) down_before_asking_.erase(before);
+        } else if (before == down_before_asking_.end()) {
+            return key;
+        }
+    }
+    return Key{};
+}
+
+std::string Devices::label(Key key) {
+    std::string word(word_of(key));
+    // Letters and signs lie elsewhere on other keyboards; what is not Latin has Latin beside it on the key.
+    if (key.code <= GLFW_KEY_SPACE || key.code > GLFW_KEY_WORLD_2) return word;
+    const char* const name = glfwGetKeyName(key.code, 0);
+    if (name == nullptr || name[0] == '\0') return word;
+    const auto first = static_cast<unsigned char>(name[0]);
+    if (name[1] == '\0' && 'a' <= first && first <= 'z') return std::string(1, static_cast<char>(first - 32));
+    const bool is_ascii = first < 0x80 && name[1] == '\0';
+    const bool is_latin_1 = (first == 0xC2 || first == 0xC3) && name[1] != '\0' && name[2] == '\0';
+    return is_ascii || is_latin_1 ? std::string(name) : word;
+}
+
+void Devices::begin_listening() {
+    knows_cursor_ = false;
+    deaf_.reset();
+    for (const Action action :
+         {Action::Jump, Action::Use, Action::Throw, Action::PutBack, Action::Checkpoint})
+        deaf_.set(index_of(action));
+}
+
+Command Devices::sample(const DeviceSettings& settings, const Bindings& bindings) {
+    Command command;
+    turn_head(settings);
+    const ActionSet held = held_actions(bindings, [&](Key key) { return is_down(key); });
+    deaf_ &= held;
+    put_actions(held & ~deaf_, command);
+    read_gamepad(command);
 
     const bool is_crouch_held = command.is_held(Crouch);
     if (settings.toggles_crouch) {

@@ -3,7 +3,10 @@
 // Threads   the window's thread. Determinism: none here, and none needed: the Command is what is recorded.
 #pragma once
 
-#include "input/command.h"
+#include "input/bindings.h"
+
+#include <string>
+#include <vector>
 
 struct GLFWwindow;
 
@@ -17,10 +20,10 @@ struct DeviceSettings {
 
 // Keys that speak to the program, not to the player's body. True in the one call after the key went down.
 struct ProgramKeys {
-    bool menu = false;        // Esc
-    bool profiler = false;    // F3
-    bool next_plane = false;  // F4
-    bool fullscreen = false;  // F11
+    bool menu = false;  // Esc, always: a menu that no key opens could not be mended in the menu
+    bool profiler = false;
+    bool next_plane = false;
+    bool fullscreen = false;
 };
 
 class Devices {
@@ -30,12 +33,22 @@ class Devices {
     // Where the head looks from now on: at the start, and after a checkpoint.
     void look_along(std::int16_t yaw, std::int16_t pitch);
 
-    // What is held now. While not `is_listening` (a menu is open, the cursor is free) only the head's angles stay.
-    [[nodiscard]] Command sample(const DeviceSettings& settings, bool is_listening);
+    // After a menu: the pointer may be anywhere, and a press that still lasts is no jump, no use and no throw.
+    void begin_listening();
+    // What is held now.
+    [[nodiscard]] Command sample(const DeviceSettings& settings, const Bindings& bindings);
 
-    [[nodiscard]] ProgramKeys program_keys();
+    [[nodiscard]] ProgramKeys program_keys(const Bindings& bindings);
+
+    // The next key or button that goes down, to bind something to it: begin, then ask once a picture.
+    void begin_asking();
+    [[nodiscard]] Key asked_key();
+
+    // What is written on a key, by the keyboard's layout as it is now.
+    [[nodiscard]] static std::string label(Key key);
 
   private:
+    [[nodiscard]] bool is_down(Key key) const;
     void turn_head(const DeviceSettings& settings);
     void read_gamepad(Command& command);
 
@@ -47,7 +60,9 @@ class Devices {
     bool knows_cursor_ = false;
     bool is_crouched_ = false;  // when crouch toggles
     bool was_crouch_held_ = false;
+    ActionSet deaf_;    // held since before anybody listened
     ProgramKeys held_;  // a moment ago
+    std::vector<Key> down_before_asking_;
 };
 
 }  // namespace gh::input

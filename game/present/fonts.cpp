@@ -30,6 +30,7 @@ ImFont* first_that_exists(std::initializer_list<const char*> names, float size_p
 }  // namespace
 
 Fonts load_fonts(float scale) {
+    ImGui::GetIO().Fonts->Clear();
     Fonts fonts;
     fonts.text = first_that_exists({"truetype/dejavu/DejaVuSans.ttf",
                                     "truetype/liberation/LiberationSans-Regular.ttf", "TTF/DejaVuSans.ttf"},

@@ -21,7 +21,8 @@ struct Canvas {
     ImDrawList* list;
     ImVec2 origin;
     ImVec2 size;
-    float unit;  // pixels in a 720 pixel high picture's pixel
+    float unit;     // pixels in a 720 pixel high picture's pixel
+    float letters;  // the same for words, which must not become too small to read
 
     [[nodiscard]] ImVec2 at(float x, float y) const { return {origin.x + x, origin.y + y}; }
 };
@@ -34,7 +35,7 @@ struct Lettering {
 void text(const Canvas& canvas, const Lettering& lettering, ImVec2 at, ImU32 colour, const std::string& words,
           float align) {
     ImFont* const font = lettering.font;
-    const float px = lettering.size * canvas.unit;
+    const float px = lettering.size * canvas.letters;
     const ImVec2 extent = font->CalcTextSizeA(px, 1e9f, 0.0f, words.c_str());
     const ImVec2 from(at.x - extent.x * align, at.y);
     const ImU32 shade =
@@ -84,10 +85,10 @@ void draw_stance(const Canvas& canvas, const HudModel& model) {
         canvas.at(canvas.size.x * 0.5f + 112.0f * canvas.unit, canvas.size.y - 56.0f * canvas.unit);
     text(canvas, {text_font(), 15.0f}, right, faded(kIvory, model.stones_left > 0 ? 0.75f : 0.35f), stones,
          0.0f);
-    if (model.has_mirror) {
+    if (!model.mirror.empty()) {
         const ImVec2 under =
             canvas.at(canvas.size.x * 0.5f + 112.0f * canvas.unit, canvas.size.y - 36.0f * canvas.unit);
-        text(canvas, {text_font(), 15.0f}, under, faded(kIvory, 0.75f), "F  hand mirror", 0.0f);
+        text(canvas, {text_font(), 15.0f}, under, faded(kIvory, 0.75f), model.mirror, 0.0f);
     }
     if (model.lenses_total == 0) return;
     char lenses[64];
@@ -151,19 +152,22 @@ void draw_aim(const Canvas& canvas, const HudModel& model) {
     }
 }
 
-// A line on a dark band, under where rooms say their names.
+// A line on a dark band, under where rooms say their names; in smaller letters where the picture is narrow.
 void draw_hint(const Canvas& canvas, const HudModel& model) {
     if (model.hint.empty() || model.hint_strength <= 0.0f) return;
-    const float px = 19.0f * canvas.unit;
-    const float width = text_font()->CalcTextSizeA(px, 1e9f, 0.0f, model.hint.c_str()).x;
-    const float half = width * 0.5f + 22.0f * canvas.unit;
+    constexpr float kSize = 19.0f, kMargin = 22.0f;
+    const float full_width =
+        text_font()->CalcTextSizeA(kSize * canvas.letters, 1e9f, 0.0f, model.hint.c_str()).x +
+        2.0f * kMargin * canvas.letters;
+    const float narrowed = std::min(1.0f, canvas.size.x * 0.98f / full_width);
+    const float unit = canvas.letters * narrowed;
+    const float half = full_width * narrowed * 0.5f;
     const float middle = canvas.size.x * 0.5f, top = canvas.size.y * 0.225f;
-    const ImVec2 from = canvas.at(middle - half, top),
-                 to = canvas.at(middle + half, top + 36.0f * canvas.unit);
-    canvas.list->AddRectFilled(from, to, faded(kNight, model.hint_strength * 0.85f), 4.0f * canvas.unit);
-    canvas.list->AddRectFilled(from, ImVec2(from.x + 3.0f * canvas.unit, to.y),
-                               faded(kBrass, model.hint_strength), 2.0f * canvas.unit);
-    text(canvas, {text_font(), 19.0f}, canvas.at(middle, top + 7.0f * canvas.unit),
+    const ImVec2 from = canvas.at(middle - half, top), to = canvas.at(middle + half, top + 36.0f * unit);
+    canvas.list->AddRectFilled(from, to, faded(kNight, model.hint_strength * 0.85f), 4.0f * unit);
+    canvas.list->AddRectFilled(from, ImVec2(from.x + 3.0f * unit, to.y), faded(kBrass, model.hint_strength),
+                               2.0f * unit);
+    text(canvas, {text_font(), kSize * narrowed}, canvas.at(middle, top + 7.0f * unit),
          faded(kIvory, model.hint_strength), model.hint, 0.5f);
 }
 
@@ -190,7 +194,7 @@ void draw_words(const Canvas& canvas, const HudModel& model) {
             }
         }
         text(canvas, {text_font(), 16.0f}, canvas.at(middle, y), faded(kIvory, alpha), words, 0.5f);
-        y -= 21.0f * canvas.unit;
+        y -= 21.0f * canvas.letters;
     }
     if (model.headline.empty()) return;
     canvas.list->AddRectFilled(canvas.at(0.0f, canvas.size.y * 0.36f),
@@ -207,7 +211,8 @@ std::optional<Canvas> canvas_of(const Window& window) {
     if (scale.x <= 0.0f || scale.y <= 0.0f) return std::nullopt;
     const ImVec2 origin(window.picture_offset().x / scale.x, window.picture_offset().y / scale.y);
     const ImVec2 size(window.picture_size().x / scale.x, window.picture_size().y / scale.y);
-    return Canvas{ImGui::GetBackgroundDrawList(), origin, size, size.y / 720.0f};
+    return Canvas{ImGui::GetBackgroundDrawList(), origin, size, size.y / 720.0f,
+                  ui_scale(size.x * scale.x, size.y * scale.y) / scale.y};
 }
 
 }  // namespace
@@ -226,10 +231,9 @@ void draw_hud(const Window& window, const HudModel& model) {
 void draw_title(const Window& window, const std::string& words) {
     const std::optional<Canvas> canvas = canvas_of(window);
     if (!canvas) return;
-    const float u = canvas->unit;
+    const float u = canvas->letters;
     canvas->list->AddRectFilled(canvas->at(0.0f, 0.0f), canvas->at(canvas->size.x, 30.0f * u), kNight);
-    text(*canvas, {text_font(), 18.0f}, canvas->at(canvas->size.x * 0.5f, 5.0f * u), kIvory, "F4: " + words,
-         0.5f);
+    text(*canvas, {text_font(), 18.0f}, canvas->at(canvas->size.x * 0.5f, 5.0f * u), kIvory, words, 0.5f);
 }
 
 void Captions::add(Caption caption) {

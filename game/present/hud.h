@@ -36,11 +36,11 @@ struct HudModel {
     bool is_crouched = false;
     bool is_running = false;
     int stones_left = 0;
-    bool has_mirror = false;
     int lenses_taken = 0;
     int lenses_total = 0;
     float aim = 0.0f;                  // how far the throw is drawn, 0: not aiming
     std::vector<glm::vec2> throw_arc;  // picture coordinates 0..1, x right, y down
+    std::string mirror;                // "F  hand mirror"; empty: none is carried
     std::string prompt;                // "Open the door"; empty: nothing in reach
     std::string hint;                  // one line for somebody new to the game; empty: none
     float hint_strength = 0.0f;        // 0 gone .. 1 fully there

@@ -17,10 +17,18 @@ ImFont* heading_font() {
     return ImGui::GetIO().Fonts->Fonts[ImGui::GetIO().Fonts->Fonts.Size - 1];
 }
 
-void apply_theme(const Fonts& fonts) {
+float ui_scale(float width, float height) {
+    constexpr float kReadable = 0.65f;
+    const float in_proportion = std::min(width / 1280.0f, height / 720.0f);
+    const float at_most = std::min(width / 640.0f, height / 360.0f) * kReadable;
+    return std::clamp(std::max(in_proportion, std::min(kReadable, at_most)), 0.2f, 6.0f);
+}
+
+void apply_theme(const Fonts& fonts, float scale) {
     ImGui::GetIO().FontDefault = fonts.text;
-    ImGui::StyleColorsDark();
     ImGuiStyle& style = ImGui::GetStyle();
+    style = ImGuiStyle();
+    ImGui::StyleColorsDark();
     style.WindowRounding = 3.0f;
     style.FrameRounding = 2.0f;
     style.GrabRounding = 2.0f;
@@ -40,6 +48,7 @@ void apply_theme(const Fonts& fonts) {
     style.Colors[ImGuiCol_SliderGrabActive] = ImGui::ColorConvertU32ToFloat4(kBrass);
     style.Colors[ImGuiCol_CheckMark] = ImGui::ColorConvertU32ToFloat4(kBrass);
     style.Colors[ImGuiCol_NavHighlight] = ImGui::ColorConvertU32ToFloat4(kBrass);
+    style.ScaleAllSizes(scale);
 }
 
 }  // namespace gh::present

@@ -24,6 +24,8 @@ struct Window::Data {
     bool is_captured = false;
     glm::ivec2 windowed_place{80, 80};
     glm::ivec2 windowed_size{1280, 720};
+    glm::ivec2 last_size{0};     // of the framebuffer, a frame ago
+    float letters_scale = 0.0f;  // that the fonts were made for; 0: none are
     glm::vec2 picture_offset{0.0f};
     glm::vec2 picture_size{1.0f};
 
@@ -88,16 +90,12 @@ Result<Window> Window::open(const WindowOptions& options) {
     glfwSetInputMode(data->window, GLFW_STICKY_MOUSE_BUTTONS, GLFW_TRUE);
     if (!data->blit.create()) return Error{"window: the OpenGL driver refused the blit shader"};
 
-    float scale = 1.0f;
-    glfwGetWindowContentScale(data->window, &scale, nullptr);
     ImGui::CreateContext();
     data->has_ui = true;
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.KeyRepeatDelay = 0.8f;  // a press that lasts a few slow frames is still one press
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-    const Fonts fonts = load_fonts(std::max(scale, 1.0f));
-    apply_theme(fonts);
     ImGui_ImplGlfw_InitForOpenGL(data->window, true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
     return Window(std::move(data));
@@ -182,12 +180,37 @@ void Window::begin_frame(const Image8& picture) {
         data_->blit.upload(picture);
         data_->blit.draw(offset, shown);
     }
+    fit_letters();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    // Menus are laid out for 720 lines; a smaller window gets them smaller rather than cut off.
+    // Enter chooses like Space does; it is ImGui's key for typing numbers into sliders, which ours do not take.
     ImGuiIO& io = ImGui::GetIO();
-    io.FontGlobalScale = std::clamp(io.DisplaySize.y / 720.0f, 0.5f, 1.5f);
+    if (glfwGetKey(data_->window, GLFW_KEY_ENTER) == GLFW_PRESS ||
+        glfwGetKey(data_->window, GLFW_KEY_KP_ENTER) == GLFW_PRESS)
+        io.NavInputs[ImGuiNavInput_Activate] = 1.0f;
     ImGui::NewFrame();
+}
+
+// Letters are drawn for the size they have on the screen: stretched ones are blurred. Not while a window is being
+// dragged larger, when every frame has another size.
+void Window::fit_letters() {
+    Data& d = *data_;
+    const glm::ivec2 pixels = framebuffer_size();
+    int width = 0;
+    int height = 0;
+    glfwGetWindowSize(d.window, &width, &height);
+    const bool is_settled = pixels == d.last_size;
+    d.last_size = pixels;
+    if (pixels.x <= 0 || pixels.y <= 0 || width <= 0 || height <= 0) return;
+    const float scale = ui_scale(static_cast<float>(pixels.x), static_cast<float>(pixels.y));
+    const float pixels_a_unit = static_cast<float>(pixels.y) / static_cast<float>(height);
+    if (d.letters_scale <= 0.0f || (is_settled && std::abs(scale - d.letters_scale) > 0.01f)) {
+        apply_theme(load_fonts(scale), scale / pixels_a_unit);
+        ImGui_ImplOpenGL3_DestroyFontsTexture();
+        ImGui_ImplOpenGL3_CreateFontsTexture();
+        d.letters_scale = scale;
+    }
+    ImGui::GetIO().FontGlobalScale = scale / d.letters_scale / pixels_a_unit;
 }
 
 void Window::end_frame() {

@@ -52,6 +52,7 @@ class Window {
     [[nodiscard]] GLFWwindow* device() const;
 
   private:
+    void fit_letters();
     struct Data;
     explicit Window(std::unique_ptr<Data> data);
     std::unique_ptr<Data> data_;

@@ -1,5 +1,7 @@
 #include "app/hints.h"
 
+#include "app/hint_words.h"
+
 #include <gtest/gtest.h>
 
 #include <map>
@@ -33,6 +35,11 @@ class HintsTest : public ::testing::Test {
         return shown;
     }
 
+    // What the line says to somebody who has these keys.
+    [[nodiscard]] std::string words(const input::Bindings& bindings = input::default_bindings()) const {
+        return hints_.lesson() ? words_for(*hints_.lesson(), level_, key_words(bindings)) : "";
+    }
+
     world::State& state() { return now_.state; }
     world::PlayerState& player() { return now_.state.player; }
     world::GuardState& guard() { return now_.state.guards[0]; }
@@ -45,8 +52,8 @@ class HintsTest : public ::testing::Test {
 TEST_F(HintsTest, FirstOfAllANewcomerIsToldWhatToStealAndWhereItIs) {
     pass(3.0f);
     ASSERT_EQ(hints_.lesson(), Lesson::Goal);
-    EXPECT_NE(hints_.words().find("The Founder's Lens"), std::string::npos);
-    EXPECT_NE(hints_.words().find("Lens Cabinet"), std::string::npos);
+    EXPECT_NE(words().find("Steal the Founder's Lens"), std::string::npos);
+    EXPECT_NE(words().find("Lens Cabinet"), std::string::npos);
     EXPECT_EQ(hints_.strength(), 1.0f);
 }
 
@@ -105,10 +112,23 @@ TEST_F(HintsTest, TheLensInHandPointsToTheWayOut) {
     state().rules.lenses_taken_count = 1;
     pass(1.0f);
     ASSERT_EQ(hints_.lesson(), Lesson::Exit);
-    EXPECT_NE(hints_.words().find("Vestibule"), std::string::npos);
+    EXPECT_NE(words().find("Vestibule"), std::string::npos);
     state().rules.outcome = world::Outcome::Won;
     pass(0.1f);
     EXPECT_FALSE(hints_.lesson()) << "who has won needs no advice";
+}
+
+TEST_F(HintsTest, KeysAreCalledWhatTheyAreBoundToNow) {
+    pass(12.0f);
+    player().has_mirror = 1;
+    pass(1.5f);
+    ASSERT_EQ(hints_.lesson(), Lesson::HandMirror);
+    EXPECT_NE(words().find("Hold F:"), std::string::npos) << words();
+    input::Bindings bindings = input::default_bindings();
+    input::bind(bindings, {input::Action::HandMirror, 0}, *input::key_named("mouse 4"));
+    input::bind(bindings, {input::Action::LeanLeft, 0}, *input::key_named("Z"));
+    EXPECT_NE(words(bindings).find("Hold mouse 4:"), std::string::npos) << words(bindings);
+    EXPECT_NE(words(bindings).find("Z or R"), std::string::npos) << words(bindings);
 }
 
 TEST_F(HintsTest, ALevelWithNothingInItTeachesNothing) {

@@ -121,13 +121,17 @@ class Desk:
         print(f"{name}: mean {mean:.4f}, deviation {deviation:.4f}")
         return path
 
-    def quit_by_menu(self):
-        """Escape, then down to Quit: Resume, Restart, Quit."""
-        self.xdotool("key", "Escape")
-        time.sleep(1.0)
-        for key in ("Down", "Down", "space"):
+    def press(self, *keys):
+        """One after the other, each long enough for a slow frame to see it."""
+        for key in keys:
             self.hold(key, 0.4)
             time.sleep(0.4)
+
+    def quit_by_menu(self):
+        """Escape, then down to Quit: Resume, Settings, Controls, Restart, Quit."""
+        self.xdotool("key", "Escape")
+        time.sleep(1.0)
+        self.press("Down", "Down", "Down", "Down", "space")
         try:
             code = self.game.wait(TIMEOUT_S)
         except subprocess.TimeoutExpired:
