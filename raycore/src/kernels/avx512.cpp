@@ -6,6 +6,7 @@
 #include "kernels/ray_setup.inl"
 #include "kernels/triangle.inl"
 #include "kernels/boxes.inl"
+#include "kernels/children.inl"
 #include "kernels/traverse.inl"
 #include "kernels/top_walk.inl"
 #include "kernels/stream.inl"

@@ -29,16 +29,18 @@ static inline SpreadRay spread(const BoxRay& box) {
 }
 
 static inline Entrances enter_boxes(const WideNode& node, const SpreadRay& ray, float s_max) {
-    Entrances e{ray.s_min, splat(s_max)};
     const char* bounds = reinterpret_cast<const char*>(node.bounds);
     const auto row = [&](std::int64_t offset) {
         return load(reinterpret_cast<const float*>(bounds + offset));
     };
+    Float near[3], far[3];
     for (int a = 0; a < 3; ++a) {
-        e.enter = max(about_fma(row(ray.near_row[a]), ray.near_rcp[a], ray.near_at_zero[a]), e.enter);
-        e.leave = min(about_fma(row(ray.far_row[a]), ray.far_rcp[a], ray.far_at_zero[a]), e.leave);
+        near[a] = about_fma(row(ray.near_row[a]), ray.near_rcp[a], ray.near_at_zero[a]);
+        far[a] = about_fma(row(ray.far_row[a]), ray.far_rcp[a], ray.far_at_zero[a]);
     }
-    return e;
+    // In pairs: a ray waits for two of them, not for three.
+    return {max(max(near[0], near[1]), max(near[2], ray.s_min)),
+            min(min(far[0], far[1]), min(far[2], splat(s_max)))};
 }
 
 static inline Entrances enter_boxes(const WideNode& node, const BoxRay& box) {

@@ -17,10 +17,9 @@ namespace {
 typedef float Quad __attribute__((vector_size(16)));
 typedef std::int32_t QuadBits __attribute__((vector_size(16)));
 
+// Component by component: a caller has just written them so, and a processor that reads what several stores wrote waits.
 static inline Quad load_quad(const float* p) {
-    Quad q;
-    __builtin_memcpy(&q, p, sizeof(q));
-    return q;
+    return Quad{p[0], p[1], p[2], 0.0f};
 }
 static inline Quad quad_of(float a) {
     return Quad{a, a, a, a};
@@ -39,6 +38,22 @@ static inline Quad absolute(Quad a) {
 }
 static inline Quad with_sign(Quad a, QuadBits sign) {
     return with_bits(reinterpret_cast<QuadBits>(a) | sign);
+}
+
+// Bit i: whether lane i of three is negative.
+static inline std::uint32_t sign_bits(QuadBits a) {
+#ifdef __SSE2__
+    return std::uint32_t(__builtin_ia32_movmskps(with_bits(a))) & 7u;
+#else
+    return (std::uint32_t(a[0]) >> 31) | (std::uint32_t(a[1]) >> 31 << 1) | (std::uint32_t(a[2]) >> 31 << 2);
+#endif
+}
+static inline std::uint32_t sign_bits(Quad a) {
+    return sign_bits(reinterpret_cast<QuadBits>(a));
+}
+// The bits of a's magnitude, which order as the magnitudes do.
+static inline QuadBits magnitude_bits(Quad a) {
+    return reinterpret_cast<QuadBits>(absolute(a));
 }
 
 struct LocalRay {
@@ -90,6 +105,13 @@ static inline float s_limit(const BoxRay& box, float t_max) {
     return t_max * box.dz_abs * (1.0f + 0x1p-21f) + box.s_pad;
 }
 
+// By which of three sizes is the largest: bit 0 says x > y, bit 1 y > z, bit 2 x > z. Of equals it is the last.
+struct Axes {
+    int x, y, z;
+};
+inline constexpr Axes kAlongX{1, 2, 0}, kAlongY{2, 0, 1}, kAlongZ{0, 1, 2};
+inline constexpr Axes kAxes[8] = {kAlongZ, kAlongZ, kAlongY, kAlongZ, kAlongZ, kAlongX, kAlongY, kAlongX};
+
 // Axes in the order of a ray that runs mostly along kz.
 inline constexpr int kNextAxis[3] = {1, 2, 0};
 
@@ -102,39 +124,30 @@ static inline float finite_start(float t_min) {
     return t_min > -kLargest ? t_min : -kLargest;
 }
 
-// x - x is NaN for what is not finite, and zero for all else.
-static inline float zero_if_finite(const float v[3]) {
-    return ((v[0] - v[0]) + (v[1] - v[1])) + (v[2] - v[2]);
+// All three components of both finite, and not all of the direction's zero.
+static inline bool is_way(Quad origin, Quad direction) {
+    constexpr std::int32_t kInfinite = 0x7F800000;
+    const QuadBits o = magnitude_bits(origin), d = magnitude_bits(direction);
+    const bool is_finite = sign_bits((o - kInfinite) & (d - kInfinite)) == 7u;
+    return is_finite & (sign_bits(0 - d) != 0);
 }
 
 static inline bool is_good(const RayIn& ray) {
-    const float zero = zero_if_finite(ray.origin) + zero_if_finite(ray.direction);
-    const bool moves = (ray.direction[0] != 0.0f) | (ray.direction[1] != 0.0f) | (ray.direction[2] != 0.0f);
-    return (zero == 0.0f) & moves & (ray.t_min <= ray.t_max);
+    return is_way(load_quad(ray.origin), load_quad(ray.direction)) & (ray.t_min <= ray.t_max);
 }
 
-// Whether a ray is fit to be asked after its way into an instance's frame: there its direction may have vanished, or
-// something may have overflowed. Such a ray misses.
-static inline bool has_arrived(const float* origin, const float* direction) {
-    const float farther = larger(absolute(direction[0]), absolute(direction[1]));
-    const bool moves = larger(farther, absolute(direction[2])) != 0.0f;
-    const bool is_finite = zero_if_finite(origin) + zero_if_finite(direction) == 0.0f;
-    return moves & is_finite;
-}
-
-// `origin` and `direction` are finite, the latter not zero, and read four wide.
+// `origin` and `direction` are finite, the latter not zero.
 static inline void shear(const float* origin, const float* direction, LocalRay& ray) {
-    static constexpr int kNext[3] = {1, 2, 0}, kAfterNext[3] = {2, 0, 1};
     ray.origin = load_quad(origin);
     ray.direction = load_quad(direction);
     const Quad size = absolute(ray.direction);
-    const float dx = size[0], dy = size[1], dz = size[2];
-    const int of_two = dx > dy ? 0 : 1;  // no branches: which axis it is can not be predicted
-    const float larger_of_two = larger(dx, dy);
-    ray.kz = larger_of_two > dz ? of_two : 2;
-    ray.dz_abs = larger(larger_of_two, dz);
-    ray.kx = kNext[ray.kz];
-    ray.ky = kAfterNext[ray.kz];
+    // Looked up: which axis it is can not be guessed. A difference of floats is negative just where the first is less.
+    const Quad lesser{size[1], size[2], size[2], 0.0f}, greater{size[0], size[1], size[0], 0.0f};
+    const Axes& axes = kAxes[sign_bits(lesser - greater)];
+    ray.kz = axes.z;
+    ray.kx = axes.x;
+    ray.ky = axes.y;
+    ray.dz_abs = larger(larger(size[0], size[1]), size[2]);
     ray.dz = direction[ray.kz];
     const Quad slope = ray.direction / quad_of(ray.dz);
     float slopes[4];
@@ -160,17 +173,19 @@ struct Padding {
 
 inline constexpr float kLeastPad = 0x1p-100f;  // what underflows
 
-// The farthest the tree's bounds lie from the origin along the ray's axis.
-static inline float reach_along(const TreeBounds& tree, const LocalRay& ray) {
-    return larger(absolute(tree.min[ray.kz] - ray.at_kz), absolute(tree.max[ray.kz] - ray.at_kz));
+// The farthest the tree's bounds lie from the origin along each axis, and along any: so nobody waits for the ray's own.
+static inline Quad reaches(const TreeBounds& tree, const LocalRay& ray) {
+    return quad_max(absolute(load_quad(tree.min) - ray.origin), absolute(load_quad(tree.max) - ray.origin));
+}
+static inline float largest(Quad a) {
+    return larger(larger(a[0], a[1]), a[2]);
 }
 
 // For boxes without slack around them, and for rays that may meet something behind their origin: by what the bounds'
 // farthest points may err. A slope below 2^-40 strays from the true ray by less than the term with 2^-39.
 static inline Padding wide_padding(const LocalRay& ray, const TreeBounds& tree, float extra_pad) {
-    const Quad reach =
-        quad_max(absolute(load_quad(tree.min) - ray.origin), absolute(load_quad(tree.max) - ray.origin));
-    const float reach_z = reach_along(tree, ray);
+    const Quad reach = reaches(tree, ray);
+    const float reach_z = largest(reach);
     return {(absolute(ray.origin) + reach) * quad_of(0x1p-21f) +
                 quad_of((0x1p-21f + 0x1p-39f) * reach_z + (extra_pad + kLeastPad)),
             reach_z * 0x1p-21f + kLeastPad, 0.0f};
@@ -178,7 +193,7 @@ static inline Padding wide_padding(const LocalRay& ray, const TreeBounds& tree, 
 
 // For boxes with their triangles' slack around them: no more than a point's own way from the origin.
 static inline Padding sharp_padding(const LocalRay& ray, const TreeBounds& tree) {
-    const float reach_z = reach_along(tree, ray);
+    const float reach_z = largest(reaches(tree, ray));
     return {absolute(ray.origin) * quad_of(0x1p-21f) + quad_of(0x1p-39f * reach_z + kLeastPad), kLeastPad,
             0x1p-20f};
 }
@@ -197,7 +212,7 @@ static inline void aim(const LocalRay& ray, const Padding& padding, float t_min,
     box.far_rcp = rcp * quad_of(1.0f + padding.spread);
     box.near_at_zero = -(ray.origin + towards) * box.near_rcp;
     box.far_at_zero = -(ray.origin - towards) * box.far_rcp;
-    box.octant = &kOctants.of[(sign[0] < 0 ? 1 : 0) | (sign[1] < 0 ? 2 : 0) | (sign[2] < 0 ? 4 : 0)];
+    box.octant = &kOctants.of[sign_bits(sign)];
 
     box.dz_abs = ray.dz_abs;
     box.s_pad = padding.s_pad;

@@ -34,6 +34,10 @@ struct Double {
 static inline Double load(const double* p) {
     return {_mm256_loadu_pd(p), _mm256_loadu_pd(p + 4)};
 }
+static inline void store(double* p, Double a) {
+    _mm256_storeu_pd(p, a.low);
+    _mm256_storeu_pd(p + 4, a.high);
+}
 static inline Double splat(double a) {
     return {_mm256_set1_pd(a), _mm256_set1_pd(a)};
 }
@@ -66,16 +70,19 @@ static inline std::uint32_t not_positive_bits(Double a) {
     const __m256d zero = _mm256_setzero_pd();
     return bits_of(_mm256_cmp_pd(a.low, zero, _CMP_LE_OQ), _mm256_cmp_pd(a.high, zero, _CMP_LE_OQ));
 }
+// Written back whole, which takes a few cycles: a store under a mask takes dozens on some processors.
 static inline void store_where(double* p, Double a, std::uint32_t bits) {
     const __m256i lanes = words_of(bits);
-    _mm256_maskstore_pd(p, _mm256_cvtepi32_epi64(_mm256_castsi256_si128(lanes)), a.low);
-    _mm256_maskstore_pd(p + 4, _mm256_cvtepi32_epi64(_mm256_extracti128_si256(lanes, 1)), a.high);
+    const __m256d low = _mm256_castsi256_pd(_mm256_cvtepi32_epi64(_mm256_castsi256_si128(lanes)));
+    const __m256d high = _mm256_castsi256_pd(_mm256_cvtepi32_epi64(_mm256_extracti128_si256(lanes, 1)));
+    _mm256_storeu_pd(p, _mm256_blendv_pd(_mm256_loadu_pd(p), a.low, low));
+    _mm256_storeu_pd(p + 4, _mm256_blendv_pd(_mm256_loadu_pd(p + 4), a.high, high));
 }
 static inline void store_where(float* p, Float a, std::uint32_t bits) {
-    _mm256_maskstore_ps(p, words_of(bits), a.v);
+    store(p, where(lanes_of(bits), a, load(p)));
 }
 static inline void store_where(std::uint32_t* p, Words a, std::uint32_t bits) {
-    _mm256_maskstore_epi32(reinterpret_cast<int*>(p), words_of(bits), a.v);
+    store(p, where(lanes_of(bits), a, load(p)));
 }
 static inline std::uint32_t equal_bits(Words a, Words b) {
     const __m256i equal = _mm256_cmpeq_epi32(a.v, b.v);

@@ -30,6 +30,9 @@ struct Double {
 static inline Double load(const double* p) {
     return {_mm512_loadu_pd(p)};
 }
+static inline void store(double* p, Double a) {
+    _mm512_storeu_pd(p, a.v);
+}
 static inline Double splat(double a) {
     return {_mm512_set1_pd(a)};
 }

@@ -154,6 +154,9 @@ static inline Double each_double(Op op) {
 static inline Double load(const double* p) {
     return each_double([&](int i) { return p[i]; });
 }
+static inline void store(double* p, Double a) {
+    for (int i = 0; i < 8; ++i) p[i] = a.lane[i];
+}
 static inline Double splat(double a) {
     return each_double([&](int) { return a; });
 }

@@ -73,7 +73,7 @@ static inline bool enter_instance(const SceneView& scene, std::uint32_t id, cons
     } else {
         float origin[4], direction[4];
         to_local(instance.local_from_world, world, origin, direction);
-        if (!has_arrived(origin, direction)) return false;
+        if (!is_way(load_quad(origin), load_quad(direction))) return false;
         shear(origin, direction, local.ray);
     }
     aim_at_boxes(local.ray, {instance.blas.min, instance.blas.max}, t_min, t_limit, local.box);
@@ -116,9 +116,9 @@ static inline void take_lanes(const Leaf& leaf, const Meetings& m, std::uint32_t
     alignas(64) double weight1[kWidth], weight2[kWidth], weight_sum[kWidth];
     alignas(32) float t[kWidth];
     store(t, m.t);
-    store_where(weight1, m.weight1, met);
-    store_where(weight2, m.weight2, met);
-    store_where(weight_sum, m.weight_sum, met);
+    store(weight1, m.weight1);
+    store(weight2, m.weight2);
+    store(weight_sum, m.weight_sum);
     for (; met != 0; met &= met - 1) {
         const int lane = __builtin_ctz(met);
         if (!(t[lane] <= sink.t_limit)) continue;
@@ -168,64 +168,6 @@ static inline void test_lanes_in_turn(const Leaf& leaf, std::uint32_t maybe, Ins
 // Lanes that may be met.
 static inline std::uint32_t filter(const Leaf& leaf, const Corners& corners) {
     return maybe_bits(corners) & ((1u << leaf.count) - 1);
-}
-
-static inline void push(Stack& stack, int& top, std::uint32_t item, float near) {
-    stack.item[top] = item;
-    stack.near[top++] = near;
-}
-
-// The nearest child that is met; the others go onto the stack, the next nearest on top.
-static inline std::uint32_t order_children(const Places& places, const WideNode& node,
-                                           const float near[kWidth], std::uint32_t met, Stack& stack,
-                                           int& top) {
-    const int first = __builtin_ctz(met);
-    std::uint32_t nearest = node.child[first];
-    float nearest_at = near[first];
-    met &= met - 1;
-    if (met == 0) return nearest;
-    const int base = top;
-    do {  // insertion, farthest first: two or three are met on average
-        const int lane = __builtin_ctz(met);
-        met &= met - 1;
-        const std::uint32_t item = node.child[lane];
-        const float at = near[lane];
-        const bool swap = at < nearest_at;
-        const std::uint32_t farther = swap ? nearest : item;
-        const float farther_at = swap ? nearest_at : at;
-        nearest = swap ? item : nearest;
-        nearest_at = swap ? at : nearest_at;
-        prefetch<3>(places, farther);
-        int i = top++;
-        for (; i > base && stack.near[i - 1] < farther_at; --i) {
-            stack.item[i] = stack.item[i - 1];
-            stack.near[i] = stack.near[i - 1];
-        }
-        stack.item[i] = farther;
-        stack.near[i] = farther_at;
-    } while (met != 0);
-    return nearest;
-}
-
-// The child likeliest to end an any-hit walk, which is the highest lane (collapse.cpp); the others go onto the stack.
-static inline std::uint32_t likeliest_child(const Places& places, const WideNode& node, std::uint32_t met,
-                                            Stack& stack, int& top) {
-    const std::uint32_t first = 31u - std::uint32_t(__builtin_clz(met));
-    const std::uint32_t others = met & ~(1u << first);
-    store(stack.item + top, compress(load(node.child), others));
-    top += __builtin_popcount(others);
-    prefetch<4>(places, stack.item[top - 1]);
-    return node.child[first];
-}
-
-// Which of a node's children `met`, of which there is one at least, comes next; the others go onto the stack.
-template <class Sink>
-static inline std::uint32_t next_child(const Places& places, const WideNode& node, const Entrances& e,
-                                       std::uint32_t met, Stack& stack, int& top) {
-    if constexpr (Sink::kIsAny) return likeliest_child(places, node, met, stack, top);
-    alignas(32) float near[kWidth];
-    store(near, e.enter);
-    return order_children(places, node, near, met, stack, top);
 }
 
 template <class Sink>
