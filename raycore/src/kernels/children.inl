@@ -3,13 +3,16 @@
 // A lone ray waits for itself: from a node's address to its child's take thirty cycles, of which the comparison's way
 // into a register and the look-up of the child are half. So nothing is looked up: the processor is made to guess the lane by a
 // jump, goes on with that child, and finds out later. It is right often enough even for diffuse rays, for finding out
-// by a look-up takes as long as being wrong.
+// by a look-up takes as long as being wrong. Only above instances is it wrong too often: eight boxes side by side, of
+// which a ray meets one or two, have no order that could be learned.
 
 namespace rc::kernel::RC_ISA {
 namespace {
 
-// node.child[lane], by a jump to one of eight loads.
-static inline std::uint32_t guessed_child(const WideNode& node, std::uint32_t lane) {
+// node.child[lane]; where it is guessed, by a jump to one of eight loads.
+template <bool kGuess>
+static inline std::uint32_t child_at(const WideNode& node, std::uint32_t lane) {
+    if constexpr (!kGuess) return node.child[lane];
     std::uint32_t item;
     const auto take = [&](int i) {
         item = node.child[i];
@@ -44,11 +47,12 @@ static inline std::uint32_t guessed_child(const WideNode& node, std::uint32_t la
 }
 
 // The nearest child that is met; the others go onto the stack, the next nearest on top.
+template <bool kGuess>
 static inline std::uint32_t nearest_child(const Places& places, const WideNode& node,
                                           const float near[kWidth], std::uint32_t met, Stack& stack,
                                           int& top) {
     const auto first = std::uint32_t(__builtin_ctz(met));
-    std::uint32_t nearest = guessed_child(node, first);
+    std::uint32_t nearest = child_at<kGuess>(node, first);
     float nearest_at = near[first];
     met &= met - 1;
     if (met == 0) return nearest;
@@ -76,6 +80,7 @@ static inline std::uint32_t nearest_child(const Places& places, const WideNode& 
 }
 
 // The child likeliest to end an any-hit walk, which is the highest lane (collapse.cpp); the others go onto the stack.
+template <bool kGuess>
 static inline std::uint32_t likeliest_child(const Places& places, const WideNode& node, std::uint32_t met,
                                             Stack& stack, int& top) {
     const std::uint32_t first = 31u - std::uint32_t(__builtin_clz(met));
@@ -85,17 +90,17 @@ static inline std::uint32_t likeliest_child(const Places& places, const WideNode
         top += __builtin_popcount(others);
         prefetch<4>(places, node.child[31u - std::uint32_t(__builtin_clz(others))]);
     }
-    return guessed_child(node, first);
+    return child_at<kGuess>(node, first);
 }
 
 // Which of a node's children `met`, of which there is one at least, comes next; the others go onto the stack.
-template <class Sink>
+template <class Sink, bool kGuess>
 static inline std::uint32_t next_child(const Places& places, const WideNode& node, const Entrances& e,
                                        std::uint32_t met, Stack& stack, int& top) {
-    if constexpr (Sink::kIsAny) return likeliest_child(places, node, met, stack, top);
+    if constexpr (Sink::kIsAny) return likeliest_child<kGuess>(places, node, met, stack, top);
     alignas(32) float near[kWidth];
     store(near, e.enter);
-    return nearest_child(places, node, near, met, stack, top);
+    return nearest_child<kGuess>(places, node, near, met, stack, top);
 }
 
 }  // namespace

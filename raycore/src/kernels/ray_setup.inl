@@ -124,22 +124,30 @@ static inline float finite_start(float t_min) {
     return t_min > -kLargest ? t_min : -kLargest;
 }
 
+// Where a ray starts and goes, in some frame.
+struct Way {
+    Quad origin, direction;
+};
+static inline Way way_of(const RayIn& ray) {
+    return {load_quad(ray.origin), load_quad(ray.direction)};
+}
+
 // All three components of both finite, and not all of the direction's zero.
-static inline bool is_way(Quad origin, Quad direction) {
+static inline bool is_way(const Way& way) {
     constexpr std::int32_t kInfinite = 0x7F800000;
-    const QuadBits o = magnitude_bits(origin), d = magnitude_bits(direction);
+    const QuadBits o = magnitude_bits(way.origin), d = magnitude_bits(way.direction);
     const bool is_finite = sign_bits((o - kInfinite) & (d - kInfinite)) == 7u;
     return is_finite & (sign_bits(0 - d) != 0);
 }
 
 static inline bool is_good(const RayIn& ray) {
-    return is_way(load_quad(ray.origin), load_quad(ray.direction)) & (ray.t_min <= ray.t_max);
+    return is_way(way_of(ray)) & (ray.t_min <= ray.t_max);
 }
 
-// `origin` and `direction` are finite, the latter not zero.
-static inline void shear(const float* origin, const float* direction, LocalRay& ray) {
-    ray.origin = load_quad(origin);
-    ray.direction = load_quad(direction);
+// `way` is one; its components lie in memory as well.
+static inline void shear(const Way& way, const float* origin, const float* direction, LocalRay& ray) {
+    ray.origin = way.origin;
+    ray.direction = way.direction;
     const Quad size = absolute(ray.direction);
     // Looked up: which axis it is can not be guessed. A difference of floats is negative just where the first is less.
     const Quad lesser{size[1], size[2], size[2], 0.0f}, greater{size[0], size[1], size[0], 0.0f};
@@ -242,7 +250,7 @@ static inline void aim_at_boxes(const LocalRay& ray, const TreeBounds& tree, flo
 }
 
 // The ray in the instance's own frame; the direction is not made unit, so t keeps its meaning. Rounded once.
-static inline void to_local(const double (&m)[4][4], const RayIn& ray, float origin[4], float direction[4]) {
+static inline Way to_local(const double (&m)[4][4], const RayIn& ray) {
     typedef double Column __attribute__((vector_size(32)));
     Column x, y, z, offset;
     __builtin_memcpy(&x, m[0], sizeof(x));
@@ -253,10 +261,8 @@ static inline void to_local(const double (&m)[4][4], const RayIn& ray, float ori
         const double vx = double(v[0]), vy = double(v[1]), vz = double(v[2]);
         return (x * Column{vx, vx, vx, vx} + y * Column{vy, vy, vy, vy}) + z * Column{vz, vz, vz, vz};
     };
-    const Quad o = __builtin_convertvector(sum(ray.origin) + offset, Quad);
-    const Quad d = __builtin_convertvector(sum(ray.direction), Quad);
-    __builtin_memcpy(origin, &o, sizeof(o));
-    __builtin_memcpy(direction, &d, sizeof(d));
+    return {__builtin_convertvector(sum(ray.origin) + offset, Quad),
+            __builtin_convertvector(sum(ray.direction), Quad)};
 }
 
 }  // namespace

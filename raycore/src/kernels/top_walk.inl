@@ -10,7 +10,7 @@ static inline std::uint32_t open_top(const SceneView& scene, const WideNode& nod
     const Entrances e = enter_boxes(node, box);
     const std::uint32_t met = less_equal_bits(e.enter, e.leave) & common_bits(load(node.layers), layers);
     if (met == 0) return pop<Sink::kIsAny>(stack, top, box.s_max);
-    return next_child<Sink>(places_of_scene(scene), node, e, met, stack, top);
+    return next_child<Sink, false>(places_of_scene(scene), node, e, met, stack, top);
 }
 
 // A ray's walk over the top-level tree: the instances it may meet, the nearest boxes first.
@@ -50,7 +50,7 @@ static bool walk_top(const SceneView& scene, const RayIn& world, std::uint32_t l
     InstanceRay in_world;  // a ray of every tree that stands in the world's own frame
     BoxRay box;            // and of the top-level tree
     enter_scene(scene, world, sink.t_min, sink.t_limit, in_world.ray, box);
-    aim_in_world(scene, in_world.ray, sink.t_min, sink.t_limit, in_world.box);
+    bool is_aimed = false;  // in_world's box, which many a scene has no use for
     Stack stack;
     int top = empty_stack(stack);
     std::uint32_t item = scene.root;
@@ -63,11 +63,13 @@ static bool walk_top(const SceneView& scene, const RayIn& world, std::uint32_t l
         if (item == kEmptyTree) return false;
         const std::uint32_t id = item & ~kLeafBit;
         if (takes_world_ray(scene, id)) {
+            if (!is_aimed) aim_in_world(scene, in_world.ray, sink.t_min, sink.t_limit, in_world.box);
+            is_aimed = true;
+            in_world.box.s_max = s_limit(in_world.box, sink.t_limit);
             stand_at_root(scene, id, world, in_world);
             if (walk_tree(in_world, sink, counts)) return true;
-        } else {
-            if (walk_instance(scene, id, world, sink, counts)) return true;
-            in_world.box.s_max = s_limit(in_world.box, sink.t_limit);
+        } else if (walk_instance(scene, id, world, sink, counts)) {
+            return true;
         }
         box.s_max = s_limit(box, sink.t_limit);
         item = pop<Sink::kIsAny>(stack, top, box.s_max);

@@ -69,12 +69,14 @@ static inline bool enter_instance(const SceneView& scene, std::uint32_t id, cons
                                   float t_limit, InstanceRay& local) {
     const InstanceView& instance = scene.instances[id];
     if (instance.is_identity) {
-        shear(world.origin, world.direction, local.ray);
+        shear(way_of(world), world.origin, world.direction, local.ray);
     } else {
+        const Way way = to_local(instance.local_from_world, world);
+        if (!is_way(way)) return false;  // its direction may have vanished, or something may have overflowed
         float origin[4], direction[4];
-        to_local(instance.local_from_world, world, origin, direction);
-        if (!is_way(load_quad(origin), load_quad(direction))) return false;
-        shear(origin, direction, local.ray);
+        __builtin_memcpy(origin, &way.origin, sizeof(origin));
+        __builtin_memcpy(direction, &way.direction, sizeof(direction));
+        shear(way, origin, direction, local.ray);
     }
     aim_at_boxes(local.ray, {instance.blas.min, instance.blas.max}, t_min, t_limit, local.box);
     stand_at_root(scene, id, world, local);
@@ -84,7 +86,7 @@ static inline bool enter_instance(const SceneView& scene, std::uint32_t id, cons
 // Makes a ray ready for the top-level tree.
 static inline void enter_scene(const SceneView& scene, const RayIn& world, float t_min, float t_limit,
                                LocalRay& ray, BoxRay& box) {
-    shear(world.origin, world.direction, ray);
+    shear(way_of(world), world.origin, world.direction, ray);
     float farthest = 0.0f;
     for (int a = 0; a < 3; ++a) farthest = larger(farthest, absolute(world.origin[a]));
     // 2^-20: sixteen roundings, of which the way into the instance's frame and back to t can spend eleven.
@@ -185,7 +187,7 @@ static bool walk_tree(InstanceRay& local, Sink& sink, Counts& counts) {
             const Entrances e = enter_boxes(node, ray, s_max);
             const std::uint32_t met = less_equal_bits(e.enter, e.leave);
             item = met == 0 ? pop<Sink::kIsAny>(stack, top, s_max)
-                            : next_child<Sink>(places, node, e, met, stack, top);
+                            : next_child<Sink, true>(places, node, e, met, stack, top);
         }
         if (item == kEmptyTree) return false;
         ++counts.leaves;
