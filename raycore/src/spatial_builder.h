@@ -15,7 +15,7 @@
 
 namespace rc {
 
-inline constexpr double kMostPieces = 1.5;  // refs a triangle, over the whole tree
+inline constexpr double kMostPieces = 1.3;  // refs a triangle, over the whole tree
 
 // `refs` become the tree's; not empty.
 [[nodiscard]] BinaryTree build_spatial_tree(Unfilled<BuildRef> refs, const MeshView& mesh,

@@ -47,7 +47,7 @@ static inline Entrances enter_boxes(const WideNode& node, const BoxRay& box) {
     return enter_boxes(node, spread(box), box.s_max);
 }
 
-// Nearest on top; kEmptyTree at the bottom, nearer than anything, ends a walk.
+// Of a ray in company: kEmptyTree at the bottom, nearer than anything, ends a walk.
 struct Stack {
     std::uint32_t item[kStackSize + kWidth];  // next_below writes eight, whatever they mean
     float near[kStackSize + kWidth];
@@ -57,21 +57,6 @@ static inline int empty_stack(Stack& stack) {
     stack.item[0] = kEmptyTree;
     stack.near[0] = -__builtin_inff();
     return 1;
-}
-
-// `item` above the bottom; the stack's top.
-static inline int start_stack(Stack& stack, std::uint32_t item) {
-    stack.item[1] = item;
-    stack.near[1] = -__builtin_inff();
-    return empty_stack(stack) + 1;
-}
-
-// The next item that may hold something nearer than s_max. Any-hit walks keep no distances: their s_max never shrinks.
-template <bool kIsAny>
-static inline std::uint32_t pop(const Stack& stack, int& top, float s_max) {
-    do --top;
-    while (!kIsAny && stack.near[top] > s_max);
-    return stack.item[top];
 }
 
 // The next item after a node: the nearest of its children that are met (kNearestFirst; otherwise the highest lane, which

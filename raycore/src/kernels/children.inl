@@ -46,61 +46,91 @@ static inline std::uint32_t child_at(const WideNode& node, std::uint32_t lane) {
     return item;
 }
 
+// What a closest-hit walk has yet to open, the nearest on top; kEmptyTree at the bottom, nearer than anything.
+struct Waiting {
+    std::uint32_t item;
+    float near;
+};
+
+// An any-hit walk keeps no distances: what it is told to stop at never comes nearer.
+template <bool kIsAny>
+struct EntryOf {
+    using Type = Waiting;
+};
+template <>
+struct EntryOf<true> {
+    using Type = std::uint32_t;
+};
+template <class Sink>
+using Entry = typename EntryOf<Sink::kIsAny>::Type;
+
+inline constexpr int kEntries = kStackSize + kWidth;  // likeliest_child writes eight, whatever they mean
+
+// To be opened in any case.
+static inline void put(Waiting*& top, std::uint32_t item) {
+    *top++ = {item, -__builtin_inff()};
+}
+static inline void put(std::uint32_t*& top, std::uint32_t item) {
+    *top++ = item;
+}
+
+// The top of a stack with nothing to open.
+template <class AnyEntry>
+static inline AnyEntry* start(AnyEntry* stack) {
+    put(stack, kEmptyTree);
+    return stack;
+}
+
+// The next item that may hold something nearer than s_max.
+static inline std::uint32_t pop(Waiting*& top, float s_max) {
+    do --top;
+    while (top->near > s_max);
+    return top->item;
+}
+static inline std::uint32_t pop(std::uint32_t*& top, float) {
+    return *--top;
+}
+
 // The nearest child that is met; the others go onto the stack, the next nearest on top.
 template <bool kGuess>
-static inline std::uint32_t nearest_child(const Places& places, const WideNode& node,
-                                          const float near[kWidth], std::uint32_t met, Stack& stack,
-                                          int& top) {
+static inline std::uint32_t next_child(const Places& places, const WideNode& node, const Entrances& e,
+                                       std::uint32_t met, Waiting*& top) {
+    alignas(32) float near[kWidth];
+    store(near, e.enter);
     const auto first = std::uint32_t(__builtin_ctz(met));
-    std::uint32_t nearest = child_at<kGuess>(node, first);
-    float nearest_at = near[first];
+    Waiting nearest{child_at<kGuess>(node, first), near[first]};
     met &= met - 1;
-    if (met == 0) return nearest;
-    const int base = top;
+    if (met == 0) return nearest.item;
+    Waiting* const base = top;
     do {  // insertion, farthest first: two or three are met on average
         const int lane = __builtin_ctz(met);
         met &= met - 1;
-        const std::uint32_t item = node.child[lane];
-        const float at = near[lane];
-        const bool swap = at < nearest_at;
-        const std::uint32_t farther = swap ? nearest : item;
-        const float farther_at = swap ? nearest_at : at;
-        nearest = swap ? item : nearest;
-        nearest_at = swap ? at : nearest_at;
-        prefetch<3>(places, farther);
-        int i = top++;
-        for (; i > base && stack.near[i - 1] < farther_at; --i) {
-            stack.item[i] = stack.item[i - 1];
-            stack.near[i] = stack.near[i - 1];
+        Waiting farther{node.child[lane], near[lane]};
+        if (farther.near < nearest.near) {
+            const Waiting nearer = farther;
+            farther = nearest;
+            nearest = nearer;
         }
-        stack.item[i] = farther;
-        stack.near[i] = farther_at;
+        prefetch<2>(places, farther.item);
+        Waiting* at = top++;
+        for (; at > base && at[-1].near < farther.near; --at) *at = at[-1];
+        *at = farther;
     } while (met != 0);
-    return nearest;
+    return nearest.item;
 }
 
 // The child likeliest to end an any-hit walk, which is the highest lane (collapse.cpp); the others go onto the stack.
 template <bool kGuess>
-static inline std::uint32_t likeliest_child(const Places& places, const WideNode& node, std::uint32_t met,
-                                            Stack& stack, int& top) {
+static inline std::uint32_t next_child(const Places& places, const WideNode& node, const Entrances&,
+                                       std::uint32_t met, std::uint32_t*& top) {
     const std::uint32_t first = 31u - std::uint32_t(__builtin_clz(met));
     const std::uint32_t others = met ^ (1u << first);
     if (others != 0) {
-        store(stack.item + top, compress(load(node.child), met));  // the first as well, above the top
+        store(top, compress(load(node.child), met));  // the first as well, above the top
         top += __builtin_popcount(others);
         prefetch<4>(places, node.child[31u - std::uint32_t(__builtin_clz(others))]);
     }
     return child_at<kGuess>(node, first);
-}
-
-// Which of a node's children `met`, of which there is one at least, comes next; the others go onto the stack.
-template <class Sink, bool kGuess>
-static inline std::uint32_t next_child(const Places& places, const WideNode& node, const Entrances& e,
-                                       std::uint32_t met, Stack& stack, int& top) {
-    if constexpr (Sink::kIsAny) return likeliest_child<kGuess>(places, node, met, stack, top);
-    alignas(32) float near[kWidth];
-    store(near, e.enter);
-    return nearest_child<kGuess>(places, node, near, met, stack, top);
 }
 
 }  // namespace

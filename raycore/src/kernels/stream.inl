@@ -19,7 +19,7 @@ struct Walker {
     std::uint64_t ray;    // of the batch
     Sink sink;
     Stack stack;
-    TopWalk above;  // untouched where a scene is a single instance
+    TopWalk<Sink> above;  // untouched where a scene is a single instance
 };
 
 template <class Sink, class Answers>
@@ -120,8 +120,7 @@ class Stream {
     bool enter_next(Walker<Sink>& walker) {
         if (is_single_instance(scene_) || walker.sink.is_done()) return false;
         for (;;) {
-            const std::uint32_t id =
-                walker.above.template next<Sink>(scene_, layers_, walker.sink.t_limit, counts_);
+            const std::uint32_t id = walker.above.next(scene_, layers_, walker.sink.t_limit, counts_);
             if (id == kEmptyTree) return false;
             if (enter(walker, id)) return true;
         }

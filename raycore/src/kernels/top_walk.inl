@@ -6,34 +6,35 @@ namespace {
 // What comes after a node of the top-level tree.
 template <class Sink>
 static inline std::uint32_t open_top(const SceneView& scene, const WideNode& node, std::uint32_t layers,
-                                     const BoxRay& box, Stack& stack, int& top) {
+                                     const BoxRay& box, Entry<Sink>*& top) {
     const Entrances e = enter_boxes(node, box);
     const std::uint32_t met = less_equal_bits(e.enter, e.leave) & common_bits(load(node.layers), layers);
-    if (met == 0) return pop<Sink::kIsAny>(stack, top, box.s_max);
-    return next_child<Sink, false>(places_of_scene(scene), node, e, met, stack, top);
+    if (met == 0) return pop(top, box.s_max);
+    return next_child<false>(places_of_scene(scene), node, e, met, top);
 }
 
 // A ray's walk over the top-level tree: the instances it may meet, the nearest boxes first.
+template <class Sink>
 struct TopWalk {
     LocalRay ray;
     BoxRay box;
-    Stack stack;
-    int top;
+    Entry<Sink> stack[kEntries];
+    Entry<Sink>* top;
 
     void begin(const SceneView& scene, const RayIn& world, float t_min, float t_limit) {
         enter_scene(scene, world, t_min, t_limit, ray, box);
-        top = start_stack(stack, scene.root);
+        top = start(stack);
+        put(top, scene.root);
     }
 
     // kEmptyTree when there is none left, which is the last that may be asked for.
-    template <class Sink>
     std::uint32_t next(const SceneView& scene, std::uint32_t layers, float t_limit, Counts& counts) {
         box.s_max = s_limit(box, t_limit);
-        std::uint32_t item = pop<Sink::kIsAny>(stack, top, box.s_max);
+        std::uint32_t item = pop(top, box.s_max);
         while (!(item & kLeafBit)) {
             const WideNode& node = scene.nodes[item];
             ++counts.nodes;
-            item = open_top<Sink>(scene, node, layers, box, stack, top);
+            item = open_top<Sink>(scene, node, layers, box, top);
         }
         return item == kEmptyTree ? kEmptyTree : item & ~kLeafBit;
     }
@@ -51,14 +52,14 @@ static bool walk_top(const SceneView& scene, const RayIn& world, std::uint32_t l
     BoxRay box;            // and of the top-level tree
     enter_scene(scene, world, sink.t_min, sink.t_limit, in_world.ray, box);
     bool is_aimed = false;  // in_world's box, which many a scene has no use for
-    Stack stack;
-    int top = empty_stack(stack);
+    Entry<Sink> stack[kEntries];
+    Entry<Sink>* top = start(stack);
     std::uint32_t item = scene.root;
     for (;;) {
         while (!(item & kLeafBit)) {
             const WideNode& node = scene.nodes[item];
             ++counts.nodes;
-            item = open_top<Sink>(scene, node, layers, box, stack, top);
+            item = open_top<Sink>(scene, node, layers, box, top);
         }
         if (item == kEmptyTree) return false;
         const std::uint32_t id = item & ~kLeafBit;
@@ -72,7 +73,7 @@ static bool walk_top(const SceneView& scene, const RayIn& world, std::uint32_t l
             return true;
         }
         box.s_max = s_limit(box, sink.t_limit);
-        item = pop<Sink::kIsAny>(stack, top, box.s_max);
+        item = pop(top, box.s_max);
     }
 }
 

@@ -177,8 +177,8 @@ static bool walk_tree(InstanceRay& local, Sink& sink, Counts& counts) {
     ++counts.instances;
     const SpreadRay ray = spread(local.box);
     const Places places = places_of_blas(local.nodes, local.leaves);
-    Stack stack;
-    int top = empty_stack(stack);
+    Entry<Sink> stack[kEntries];
+    Entry<Sink>* top = start(stack);
     std::uint32_t item = local.root;
     for (;;) {
         const float s_max = local.box.s_max;
@@ -186,8 +186,7 @@ static bool walk_tree(InstanceRay& local, Sink& sink, Counts& counts) {
             const WideNode& node = places.nodes[item];
             const Entrances e = enter_boxes(node, ray, s_max);
             const std::uint32_t met = less_equal_bits(e.enter, e.leave);
-            item = met == 0 ? pop<Sink::kIsAny>(stack, top, s_max)
-                            : next_child<Sink, true>(places, node, e, met, stack, top);
+            item = met == 0 ? pop(top, s_max) : next_child<true>(places, node, e, met, top);
         }
         if (item == kEmptyTree) return false;
         ++counts.leaves;
@@ -195,7 +194,7 @@ static bool walk_tree(InstanceRay& local, Sink& sink, Counts& counts) {
         const Corners corners = corners_of(leaf.rows, leaf.count, local.ray);
         const std::uint32_t maybe = filter(leaf, corners);
         if (maybe != 0 && test_lanes(leaf, corners, maybe, local, sink)) return true;
-        item = pop<Sink::kIsAny>(stack, top, local.box.s_max);
+        item = pop(top, local.box.s_max);
     }
 }
 
