@@ -6,7 +6,8 @@
 
 namespace bench {
 
-// Every quality beside Embree's like, counted in the same terms; ours / theirs, lower is better.
+// Every quality beside Embree's like, counted in the same terms, once by triangles and once by blocks of four; ours /
+// theirs, lower is better.
 void bench_sah(Report& report, const BenchScene& scene, bool with_embree);
 
 }  // namespace bench

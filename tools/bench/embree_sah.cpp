@@ -103,21 +103,25 @@ std::vector<RTCBuildPrimitive> primitives_of(const BenchScene& scene, Bounds& al
     return primitives;
 }
 
-// Of all below a node: 1 a node, 1 a triangle, by half areas.
-double cost_below(const Node& node) {
+double cost_of_leaf(const Node& leaf, unsigned block) {
+    return static_cast<double>((leaf.triangles + block - 1) / block);
+}
+
+// Of all below a node: 1 a node, 1 a block of triangles, by half areas.
+double cost_below(const Node& node, unsigned block) {
     double sum = 0.0;
     for (unsigned i = 0; i < node.children; ++i) {
         const Node& child = *node.child[i];
         const bool is_leaf = child.children == 0;
-        sum += node.bounds[i].half_area() * (is_leaf ? static_cast<double>(child.triangles) : 1.0);
-        if (!is_leaf) sum += cost_below(child);
+        sum += node.bounds[i].half_area() * (is_leaf ? cost_of_leaf(child, block) : 1.0);
+        if (!is_leaf) sum += cost_below(child, block);
     }
     return sum;
 }
 
 }  // namespace
 
-float embree_sah_cost(const BenchScene& scene, EmbreeQuality quality) {
+double embree_sah_cost(const BenchScene& scene, EmbreeQuality quality, unsigned block) {
     const EmbreeDevice device(0);
     RTCBVH bvh = rtcNewBVH(device.get());
     Bounds all;
@@ -129,7 +133,7 @@ float embree_sah_cost(const BenchScene& scene, EmbreeQuality quality) {
     arguments.buildQuality = embree_quality(quality);
     arguments.maxBranchingFactor = kWidth;
     arguments.maxDepth = 64;
-    arguments.sahBlockSize = 1;
+    arguments.sahBlockSize = block;
     arguments.minLeafSize = 1;
     arguments.maxLeafSize = kWidth;
     arguments.traversalCost = arguments.intersectionCost = 1.0f;
@@ -146,10 +150,10 @@ float embree_sah_cost(const BenchScene& scene, EmbreeQuality quality) {
     const Node* root = static_cast<const Node*>(rtcBuildBVH(&arguments));
     double cost = 0.0;
     if (root != nullptr)
-        cost = root->children == 0 ? static_cast<double>(root->triangles)
-                                   : 1.0 + cost_below(*root) / all.half_area();
+        cost = root->children == 0 ? cost_of_leaf(*root, block)
+                                   : 1.0 + cost_below(*root, block) / all.half_area();
     rtcReleaseBVH(bvh);
-    return static_cast<float>(cost);
+    return cost;
 }
 
 }  // namespace bench
