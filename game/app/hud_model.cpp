@@ -210,8 +210,26 @@ std::string caption_of(const world::Noise& noise) {
     return "";
 }
 
+namespace {
+
+// One stone clatters down a stair, one guard walks from carpet to marble or finds other words: each is one line.
+std::string subject_of(const world::Noise& noise) {
+    switch (noise.kind) {
+        case world::NoiseKind::StoneHit:
+            return "stone";
+        case world::NoiseKind::GuardStep:
+            return "steps";
+        case world::NoiseKind::Bark:
+            return "voice";
+        default:
+            return "";
+    }
+}
+
+}  // namespace
+
 void HudReader::say(const std::string& words) {
-    captions_.add({.text = words});
+    captions_.add({.text = words, .subject = {}});
 }
 
 void HudReader::note_tick(const world::Level& level, const world::Snapshot& now) {
@@ -221,8 +239,10 @@ void HudReader::note_tick(const world::Level& level, const world::Snapshot& now)
         const world::Noise& noise = state.noises[i];
         const std::string words = caption_of(noise);
         if (words.empty() || glm::distance(noise.position, state.player.position) > kCaptionHearing) continue;
-        captions_.add(
-            {.text = words, .bearing = bearing_to(state.player, noise.position), .has_bearing = true});
+        captions_.add({.text = words,
+                       .subject = subject_of(noise),
+                       .bearing = bearing_to(state.player, noise.position),
+                       .has_bearing = true});
     }
     hints_.note_tick(level, now);
     const std::string room = title_of_room(level, state.player.position);

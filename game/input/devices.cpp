@@ -82,8 +82,11 @@ bool Devices::is_down(Key key) const {
 }
 
 ProgramKeys Devices::program_keys(const Bindings& bindings) {
-    const ActionSet acting = held_actions(bindings, [&](Key key) { return is_down(key); });
-    const auto is_acting = [&](Action action) { return acting[index_of(action)]; };
+    // No other keys: to look at one whose tap is over already is to forget the tap, and the next tick wants it.
+    const auto is_acting = [&](Action action) {
+        const auto& keys = bindings.of(action);
+        return std::any_of(keys.begin(), keys.end(), [&](Key key) { return !key.is_none() && is_down(key); });
+    };
     const ProgramKeys now{glfwGetKey(window_, GLFW_KEY_ESCAPE) == GLFW_PRESS, is_acting(Action::Profiler),
                           is_acting(Action::Planes), is_acting(Action::FullScreen)};
     const ProgramKeys pressed{now.menu && !held_.menu, now.profiler && !held_.profiler,

@@ -38,10 +38,28 @@ void text(const Canvas& canvas, const Lettering& lettering, ImVec2 at, ImU32 col
     const float px = lettering.size * canvas.letters;
     const ImVec2 extent = font->CalcTextSizeA(px, 1e9f, 0.0f, words.c_str());
     const ImVec2 from(at.x - extent.x * align, at.y);
-    const ImU32 shade =
-        faded(IM_COL32(0, 0, 0, 255), static_cast<float>(colour >> IM_COL32_A_SHIFT) / 255.0f * 0.8f);
-    canvas.list->AddText(font, px, ImVec2(from.x + canvas.unit, from.y + canvas.unit), shade, words.c_str());
+    // Dark all round: under a lamp the picture is as light as the letters.
+    const float opacity = static_cast<float>(colour >> IM_COL32_A_SHIFT) / 255.0f;
+    const ImU32 shade = faded(IM_COL32(0, 0, 0, 255), opacity * opacity * 0.5f);
+    const float edge = std::max(1.0f, 0.9f * canvas.letters);
+    for (const ImVec2 side :
+         {ImVec2(-edge, 0.0f), ImVec2(edge, 0.0f), ImVec2(0.0f, -edge), ImVec2(0.0f, edge)})
+        canvas.list->AddText(font, px, ImVec2(from.x + side.x, from.y + side.y), shade, words.c_str());
     canvas.list->AddText(font, px, from, colour, words.c_str());
+}
+
+// What of a diamond lies below `share` of its height.
+void fill_diamond(ImDrawList* list, ImVec2 c, float half_width, float half_height, float share,
+                  ImU32 colour) {
+    if (share <= 0.0f) return;
+    const float y = c.y + half_height * (1.0f - 2.0f * share);
+    const float half = half_width * (1.0f - std::abs(2.0f * share - 1.0f));
+    list->PathLineTo(ImVec2(c.x, c.y + half_height));
+    if (share > 0.5f) list->PathLineTo(ImVec2(c.x - half_width, c.y));
+    list->PathLineTo(ImVec2(c.x - half, y));
+    if (share < 1.0f) list->PathLineTo(ImVec2(c.x + half, y));
+    if (share > 0.5f) list->PathLineTo(ImVec2(c.x + half_width, c.y));
+    list->PathFillConvex(colour);
 }
 
 // The light gem: a diamond that fills with light from below.
@@ -50,11 +68,11 @@ void draw_gem(const Canvas& canvas, const HudModel& model) {
     const ImVec2 c = canvas.at(canvas.size.x * 0.5f, canvas.size.y - 46.0f * canvas.unit);
     const ImVec2 top(c.x, c.y - r), right(c.x + r * 0.72f, c.y), bottom(c.x, c.y + r),
         left(c.x - r * 0.72f, c.y);
-    canvas.list->AddQuadFilled(top, right, bottom, left, IM_COL32(8, 10, 18, 200));
+    canvas.list->AddQuadFilled(top, right, bottom, left, IM_COL32(8, 10, 18, 225));
     const float lit = std::clamp(model.exposure, 0.0f, 1.0f);
     const ImU32 glow =
-        IM_COL32(255, 214 + static_cast<int>(30.0f * lit), 130 + static_cast<int>(90.0f * lit), 255);
-    canvas.list->AddQuadFilled(top, right, bottom, left, faded(glow, lit * lit * 0.5f + lit * 0.45f));
+        IM_COL32(255, 190 + static_cast<int>(50.0f * lit), 90 + static_cast<int>(120.0f * lit), 255);
+    fill_diamond(canvas.list, c, r * 0.72f, r, lit, faded(glow, 0.55f + 0.45f * lit));
     canvas.list->AddQuad(top, right, bottom, left, faded(kBrass, 0.9f), 1.6f * canvas.unit);
     canvas.list->AddLine(top, bottom, faded(kBrass, 0.35f), canvas.unit);
     canvas.list->AddLine(left, right, faded(kBrass, 0.35f), canvas.unit);
@@ -64,7 +82,7 @@ void draw_gem(const Canvas& canvas, const HudModel& model) {
     for (int i = 0; i < kBars; ++i) {
         const float share = (static_cast<float>(i) + 0.5f) / kBars;
         const float height = (4.0f + 9.0f * share) * canvas.unit;
-        const ImU32 colour = model.noise > share ? (share > 0.7f ? kAlarm : kIvory) : faded(kIvory, 0.16f);
+        const ImU32 colour = model.noise > share ? (share > 0.7f ? kAlarm : kIvory) : faded(kIvory, 0.30f);
         for (const float side : {-1.0f, 1.0f}) {
             const float x = c.x + side * (34.0f + 7.0f * static_cast<float>(i)) * canvas.unit;
             canvas.list->AddRectFilled(ImVec2(x - 1.6f * canvas.unit, c.y - height),
@@ -196,12 +214,16 @@ void draw_words(const Canvas& canvas, const HudModel& model) {
         text(canvas, {text_font(), 16.0f}, canvas.at(middle, y), faded(kIvory, alpha), words, 0.5f);
         y -= 21.0f * canvas.letters;
     }
-    if (model.headline.empty()) return;
-    canvas.list->AddRectFilled(canvas.at(0.0f, canvas.size.y * 0.36f),
-                               canvas.at(canvas.size.x, canvas.size.y * 0.60f), kNight);
-    text(canvas, {heading_font(), 72.0f}, canvas.at(middle, canvas.size.y * 0.37f), kBrass, model.headline,
+}
+
+// Under the middle: whoever is caught should see by whom.
+void draw_headline(const Canvas& canvas, const HudModel& model) {
+    const float middle = canvas.size.x * 0.5f;
+    canvas.list->AddRectFilled(canvas.at(0.0f, canvas.size.y * 0.66f),
+                               canvas.at(canvas.size.x, canvas.size.y * 0.90f), kNight);
+    text(canvas, {heading_font(), 72.0f}, canvas.at(middle, canvas.size.y * 0.67f), kBrass, model.headline,
          0.5f);
-    text(canvas, {text_font(), 18.0f}, canvas.at(middle, canvas.size.y * 0.52f), kIvory, model.subline, 0.5f);
+    text(canvas, {text_font(), 18.0f}, canvas.at(middle, canvas.size.y * 0.82f), kIvory, model.subline, 0.5f);
 }
 
 // Over the picture; none while the window has no area.
@@ -220,6 +242,7 @@ std::optional<Canvas> canvas_of(const Window& window) {
 void draw_hud(const Window& window, const HudModel& model) {
     const std::optional<Canvas> canvas = canvas_of(window);
     if (!canvas) return;
+    if (!model.headline.empty()) return draw_headline(*canvas, model);
     draw_aim(*canvas, model);
     draw_guards(*canvas, model);
     draw_gem(*canvas, model);
@@ -237,9 +260,11 @@ void draw_title(const Window& window, const std::string& words) {
 }
 
 void Captions::add(Caption caption) {
-    // The same words again only start their time anew: a guard's steps must not push everything else out.
-    const auto same = std::find_if(captions_.begin(), captions_.end(),
-                                   [&](const Caption& c) { return c.text == caption.text; });
+    // The same again only starts its time anew: a guard's steps, or one stone's way down a stair, must not push everything
+    // else out.
+    const auto same = std::find_if(captions_.begin(), captions_.end(), [&](const Caption& c) {
+        return c.text == caption.text || (!c.subject.empty() && c.subject == caption.subject);
+    });
     if (same != captions_.end()) captions_.erase(same);
     captions_.push_back(std::move(caption));
     if (captions_.size() > kMostCaptions) captions_.erase(captions_.begin());

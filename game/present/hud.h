@@ -25,6 +25,7 @@ struct GuardMark {
 
 struct Caption {
     std::string text;
+    std::string subject;  // what makes the sound: one line each, the last; empty: every text has a line of its own
     float age = 0.0f;  // seconds
     float bearing = 0.0f;
     bool has_bearing = false;
@@ -58,7 +59,7 @@ void draw_hud(const Window& window, const HudModel& model);
 // A line at the top of the picture: what is shown instead of it.
 void draw_title(const Window& window, const std::string& words);
 
-// "Door creaks", newest last; at most six that are younger than four seconds stay.
+// "Door creaks", newest last, a subject once; at most six that are younger than four seconds stay.
 class Captions {
   public:
     void add(Caption caption);

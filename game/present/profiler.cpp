@@ -4,6 +4,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace gh::present {
 
 namespace {
@@ -22,13 +24,21 @@ void rows(const char* title, float total_ms, const std::vector<ProfileRow>& list
 }  // namespace
 
 void draw_profiler(const ProfileModel& model) {
-    ImGui::SetNextWindowPos(ImVec2(14.0f, 14.0f), ImGuiCond_Always);
+    constexpr float kMargin = 10.0f;
+    ImGui::SetNextWindowPos(ImVec2(kMargin, kMargin), ImGuiCond_Always);
     ImGui::SetNextWindowBgAlpha(0.78f);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8.0f, 2.0f));
     ImGui::Begin("profiler", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing);
+    // All of it at once: whoever looks for a spike has no hand free to scroll.
+    const std::size_t lines = model.frame_rooms.size() + model.tick_rooms.size() + model.rays.size() + 7;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float room = ImGui::GetIO().DisplaySize.y - 2.0f * (kMargin + style.WindowPadding.y) -
+                       static_cast<float>(lines) * style.ItemSpacing.y;
+    const float wanted = static_cast<float>(lines) * ImGui::GetTextLineHeight();
+    ImGui::SetWindowFontScale(std::clamp(room / wanted, 0.5f, 1.0f));
     ImGui::TextUnformatted(model.machine.c_str());
     if (!model.frame_history_ms.empty()) {
         ImGui::PlotLines("", model.frame_history_ms.data(), static_cast<int>(model.frame_history_ms.size()),

@@ -44,8 +44,8 @@ void apply_theme(const Fonts& fonts, float scale) {
     style.Colors[ImGuiCol_FrameBg] = ImVec4(0.10f, 0.13f, 0.20f, 1.0f);
     style.Colors[ImGuiCol_FrameBgHovered] = ImVec4(0.16f, 0.19f, 0.27f, 1.0f);
     style.Colors[ImGuiCol_FrameBgActive] = ImVec4(0.22f, 0.24f, 0.30f, 1.0f);
-    style.Colors[ImGuiCol_SliderGrab] = ImGui::ColorConvertU32ToFloat4(kBrass);
-    style.Colors[ImGuiCol_SliderGrabActive] = ImGui::ColorConvertU32ToFloat4(kBrass);
+    style.Colors[ImGuiCol_SliderGrab] = ImVec4(0.50f, 0.40f, 0.21f, 1.0f);  // its number is written across it
+    style.Colors[ImGuiCol_SliderGrabActive] = ImVec4(0.60f, 0.48f, 0.26f, 1.0f);
     style.Colors[ImGuiCol_CheckMark] = ImGui::ColorConvertU32ToFloat4(kBrass);
     style.Colors[ImGuiCol_NavHighlight] = ImGui::ColorConvertU32ToFloat4(kBrass);
     style.ScaleAllSizes(scale);
