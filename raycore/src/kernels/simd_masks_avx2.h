@@ -28,6 +28,7 @@ static inline Words where(Lanes lanes, Words yes, Words no) {
     return {_mm256_castps_si256(
         _mm256_blendv_ps(_mm256_castsi256_ps(no.v), _mm256_castsi256_ps(yes.v), lanes.sign))};
 }
+inline constexpr bool kHasWideDoubles = false;  // one register holds a Double
 struct Double {
     __m256d low, high;
 };

@@ -23,6 +23,7 @@ static inline Float where(Lanes lanes, Float yes, Float no) {
 static inline Words where(Lanes lanes, Words yes, Words no) {
     return {_mm256_mask_blend_epi32(lanes.bits, no.v, yes.v)};
 }
+inline constexpr bool kHasWideDoubles = true;  // one register holds a Double
 // Eight doubles.
 struct Double {
     __m512d v;

@@ -142,6 +142,7 @@ static inline Vector where(Lanes lanes, Vector yes, Vector no) {
     return no;
 }
 
+inline constexpr bool kHasWideDoubles = false;  // one register holds a Double
 struct Double {
     double lane[8];
 };

@@ -110,7 +110,7 @@ class Stream {
                 walker.top = 1;  // seen enough: only the end is left on the stack
         } else {
             const float limit = walker.sink.t_limit;
-            test_lanes_in_turn(leaf, walker.maybe, walker.local, walker.sink);
+            test_in_turn(leaf, walker.maybe, walker.local, walker.sink);
             if (walker.sink.t_limit != limit)
                 walker.top = trim(walker.stack, 1, walker.top, walker.local.box.s_max);
         }
