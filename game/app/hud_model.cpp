@@ -1,6 +1,7 @@
 #include "app/hud_model.h"
 
 #include "app/hint_words.h"
+#include "app/noise_words.h"
 #include "sim/guards.h"
 #include "sim/stones.h"
 #include "sim/use_target.h"
@@ -86,24 +87,6 @@ std::string cue_words(world::Cue cue) {
     return "";
 }
 
-std::string bark_words(world::Bark bark) {
-    switch (bark) {
-        case world::Bark::None:
-            return "";
-        case world::Bark::Huh:
-            return "guard: hm?";
-        case world::Bark::WhoIsThere:
-            return "guard: who is there?";
-        case world::Bark::Alarm:
-            return "guard: stop!";
-        case world::Bark::GaveUp:
-            return "guard sighs and gives up";
-        case world::Bark::Caught:
-            return "guard: got you";
-    }
-    return "";
-}
-
 std::string title_of_room(const world::Level& level, const glm::vec3& position) {
     for (const world::Room& room : level.rooms) {
         const glm::vec3 p = position + glm::vec3(0.0f, 0.5f, 0.0f);
@@ -182,52 +165,6 @@ std::optional<glm::vec2> picture_point(const render::Camera& camera, float aspec
                      0.5f - 0.5f * glm::dot(to, frame.up) / (depth * half_height));
 }
 
-std::string caption_of(const world::Noise& noise) {
-    const std::string surface(world::surface_name(static_cast<world::Surface>(noise.surface)));
-    switch (noise.kind) {
-        case world::NoiseKind::Footstep:
-        case world::NoiseKind::Land:
-        case world::NoiseKind::Throw:
-        case world::NoiseKind::PickUp:
-            return "";  // the player's own
-        case world::NoiseKind::StoneHit:
-            return "stone clatters on " + surface;
-        case world::NoiseKind::DoorOpen:
-            return "door opens";
-        case world::NoiseKind::DoorClose:
-            return "door closes";
-        case world::NoiseKind::Switch:
-            return "switch clicks";
-        case world::NoiseKind::MirrorTurn:
-            return "mirror turns";
-        case world::NoiseKind::LensTaken:
-            return "lens taken";
-        case world::NoiseKind::GuardStep:
-            return "footsteps on " + surface;
-        case world::NoiseKind::Bark:
-            return bark_words(noise.bark);
-    }
-    return "";
-}
-
-namespace {
-
-// One stone clatters down a stair, one guard walks from carpet to marble or finds other words: each is one line.
-std::string subject_of(const world::Noise& noise) {
-    switch (noise.kind) {
-        case world::NoiseKind::StoneHit:
-            return "stone";
-        case world::NoiseKind::GuardStep:
-            return "steps";
-        case world::NoiseKind::Bark:
-            return "voice";
-        default:
-            return "";
-    }
-}
-
-}  // namespace
-
 void HudReader::say(const std::string& words) {
     captions_.add({.text = words, .subject = {}});
 }
@@ -265,6 +202,7 @@ present::HudModel HudReader::model(const world::Level& level, const world::Snaps
                            0.0f, 1.0f);
     hud.is_crouched = player.stance == world::Stance::Crouch;
     hud.is_running = !hud.is_crouched && glm::length(player.velocity) > 3.0f;
+    hud.is_walking = glm::length(player.velocity) > 0.3f;
     hud.stones_left = player.stones_left;
     if (player.has_mirror != 0) hud.mirror = choices.keys.one(input::Action::HandMirror) + "  hand mirror";
     hud.lenses_total = static_cast<int>(level.lenses.size());
@@ -290,7 +228,7 @@ present::HudModel HudReader::model(const world::Level& level, const world::Snaps
     }
     if (state.rules.outcome == world::Outcome::Playing) {
         hud.prompt = offer_of(level, now);
-        if (!hud.prompt.empty()) hud.prompt = choices.keys.one(input::Action::Use) + "   " + hud.prompt;
+        hud.prompt_key = choices.keys.one(input::Action::Use);
     }
     write_outcome(state, choices.keys, hud);
     return hud;

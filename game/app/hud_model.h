@@ -41,9 +41,6 @@ class HudReader {
     float room_age_ = 0.0f;
 };
 
-// What a noise is to a listener: "a stone clatters on marble"; empty for the player's own steps.
-[[nodiscard]] std::string caption_of(const world::Noise& noise);
-
 // Where a point of the world appears in the picture, 0..1 to the right and down; nullopt behind the camera.
 [[nodiscard]] std::optional<glm::vec2> picture_point(const render::Camera& camera, float aspect,
                                                      const glm::vec3& point);

@@ -92,26 +92,29 @@ void draw_gem(const Canvas& canvas, const HudModel& model) {
 }
 
 void draw_stance(const Canvas& canvas, const HudModel& model) {
-    const char* stance = model.is_crouched ? "crouching" : model.is_running ? "running" : "walking";
+    const char* stance = model.is_crouched  ? "crouching"
+                         : model.is_running ? "running"
+                         : model.is_walking ? "walking"
+                                            : "standing";
     const ImVec2 at =
         canvas.at(canvas.size.x * 0.5f - 112.0f * canvas.unit, canvas.size.y - 56.0f * canvas.unit);
-    text(canvas, {text_font(), 15.0f}, at, faded(kIvory, 0.75f), stance, 1.0f);
+    text(canvas, {text_font(), 15.0f}, at, faded(kIvory, 0.9f), stance, 1.0f);
     char stones[48];
     std::snprintf(stones, sizeof stones, "%d %s", model.stones_left,
                   model.stones_left == 1 ? "stone" : "stones");
     const ImVec2 right =
         canvas.at(canvas.size.x * 0.5f + 112.0f * canvas.unit, canvas.size.y - 56.0f * canvas.unit);
-    text(canvas, {text_font(), 15.0f}, right, faded(kIvory, model.stones_left > 0 ? 0.75f : 0.35f), stones,
+    text(canvas, {text_font(), 15.0f}, right, faded(kIvory, model.stones_left > 0 ? 0.9f : 0.4f), stones,
          0.0f);
     if (!model.mirror.empty()) {
         const ImVec2 under =
             canvas.at(canvas.size.x * 0.5f + 112.0f * canvas.unit, canvas.size.y - 36.0f * canvas.unit);
-        text(canvas, {text_font(), 15.0f}, under, faded(kIvory, 0.75f), model.mirror, 0.0f);
+        text(canvas, {text_font(), 15.0f}, under, faded(kIvory, 0.9f), model.mirror, 0.0f);
     }
     if (model.lenses_total == 0) return;
     char lenses[64];
     std::snprintf(lenses, sizeof lenses, "lenses %d / %d", model.lenses_taken, model.lenses_total);
-    const ImU32 colour = model.lenses_taken == model.lenses_total ? kBrass : faded(kIvory, 0.75f);
+    const ImU32 colour = model.lenses_taken == model.lenses_total ? kBrass : faded(kIvory, 0.9f);
     text(canvas, {text_font(), 15.0f}, canvas.at(canvas.size.x - 24.0f * canvas.unit, 20.0f * canvas.unit),
          colour, lenses, 1.0f);
 }
@@ -189,12 +192,26 @@ void draw_hint(const Canvas& canvas, const HudModel& model) {
          faded(kIvory, model.hint_strength), model.hint, 0.5f);
 }
 
+// What can be done here, behind the key that does it.
+void draw_prompt(const Canvas& canvas, const HudModel& model) {
+    if (model.prompt.empty()) return;
+    constexpr float kSize = 18.0f;
+    const float unit = canvas.letters, px = kSize * unit;
+    const float key = text_font()->CalcTextSizeA(px, 1e9f, 0.0f, model.prompt_key.c_str()).x + 14.0f * unit;
+    const float words = text_font()->CalcTextSizeA(px, 1e9f, 0.0f, model.prompt.c_str()).x;
+    const float gap = 9.0f * unit, height = 28.0f * unit;
+    const ImVec2 from = canvas.at((canvas.size.x - key - gap - words) * 0.5f, canvas.size.y * 0.575f);
+    canvas.list->AddRectFilled(ImVec2(from.x - gap, from.y - 4.0f * unit),
+                               ImVec2(from.x + key + words + 2.0f * gap, from.y + height + 4.0f * unit),
+                               kNight, 4.0f * unit);
+    canvas.list->AddRect(from, ImVec2(from.x + key, from.y + height), kBrass, 4.0f * unit, 0, 1.5f * unit);
+    const float y = from.y + (height - px) * 0.5f;
+    text(canvas, {text_font(), kSize}, ImVec2(from.x + key * 0.5f, y), kBrass, model.prompt_key, 0.5f);
+    text(canvas, {text_font(), kSize}, ImVec2(from.x + key + gap, y), kIvory, model.prompt, 0.0f);
+}
+
 void draw_words(const Canvas& canvas, const HudModel& model) {
     const float middle = canvas.size.x * 0.5f;
-    if (!model.prompt.empty()) {
-        text(canvas, {text_font(), 18.0f}, canvas.at(middle, canvas.size.y * 0.58f), kIvory, model.prompt,
-             0.5f);
-    }
     if (!model.room.empty() && model.room_age < 4.0f) {
         const float alpha = std::min({1.0f, model.room_age * 2.0f, 4.0f - model.room_age});
         text(canvas, {heading_font(), 40.0f}, canvas.at(middle, canvas.size.y * 0.13f),
@@ -248,6 +265,7 @@ void draw_hud(const Window& window, const HudModel& model) {
     draw_gem(*canvas, model);
     draw_stance(*canvas, model);
     draw_hint(*canvas, model);
+    draw_prompt(*canvas, model);
     draw_words(*canvas, model);
 }
 

@@ -36,13 +36,15 @@ struct HudModel {
     float noise = 0.0f;     // 0 silent .. 1 loud
     bool is_crouched = false;
     bool is_running = false;
+    bool is_walking = false;
     int stones_left = 0;
     int lenses_taken = 0;
     int lenses_total = 0;
     float aim = 0.0f;                  // how far the throw is drawn, 0: not aiming
     std::vector<glm::vec2> throw_arc;  // picture coordinates 0..1, x right, y down
     std::string mirror;                // "F  hand mirror"; empty: none is carried
-    std::string prompt;                // "Open the door"; empty: nothing in reach
+    std::string prompt_key;            // "E"
+    std::string prompt;                // "open: Cloakroom door"; empty: nothing in reach
     std::string hint;                  // one line for somebody new to the game; empty: none
     float hint_strength = 0.0f;        // 0 gone .. 1 fully there
     std::string room;                  // title of where the player is
