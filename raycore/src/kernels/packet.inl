@@ -50,18 +50,18 @@ static inline void walk_packet(const PacketTree& tree, const PacketRays& rays, c
     PacketEntry stack[kStackSize + kWidth];
     stack[0] = {rays.fit, tree.root, 0, 0, -__builtin_inff()};
     for (int top = 1; top > 0;) {
-        const PacketEntry entry = stack[--top];
+        const PacketEntry& entry = stack[--top];
+        const std::uint32_t item = entry.item;
         std::uint64_t asked = entry.rays & alive;
         if ((asked == 0) | (entry.near > rays.s_most)) continue;
-        const bool is_leaf = (entry.item & kLeafBit) != 0;
-        if (is_leaf && (rays.is_narrow || !kIsAny))
-            asked = meet_box(places.nodes[entry.parent], int(entry.lane), rays, asked);
-        if (is_leaf) {
-            if (asked != 0) at_leaf(entry.item, asked);
+        if ((item & kLeafBit) != 0) {
+            if (rays.is_narrow || !kIsAny)
+                asked = meet_box(places.nodes[entry.parent], int(entry.lane), rays, asked);
+            if (asked != 0) at_leaf(item, asked);
             continue;
         }
-        if (__builtin_popcountll(asked) <= rays.few && keep(entry.item, entry.near, asked)) continue;
-        const WideNode& node = places.nodes[entry.item];
+        if (__builtin_popcountll(asked) <= rays.few && keep(item, entry.near, asked)) continue;
+        const WideNode& node = places.nodes[item];
         ++counts.nodes;
         alignas(32) float near[kWidth];
         ChildRays met;
@@ -72,7 +72,7 @@ static inline void walk_packet(const PacketTree& tree, const PacketRays& rays, c
             int i = top++;
             if constexpr (!kIsAny)
                 for (; i > base && stack[i - 1].near < near[lane]; --i) stack[i] = stack[i - 1];
-            stack[i] = {met.of[lane], node.child[lane], entry.item, std::uint32_t(lane), near[lane]};
+            stack[i] = {met.of[lane], node.child[lane], item, std::uint32_t(lane), near[lane]};
         }
     }
 }

@@ -7,7 +7,7 @@ namespace {
 inline constexpr float kWidestFoot = 0.25f;
 inline constexpr int kFewAny = 12, kFewClosest = 24;  // rays that are left to a node
 inline constexpr int kLeastPacket = 16;               // rays of a batch
-inline constexpr int kLeastInInstance = 8;  // of those, rays that meet the box of an instance that moved
+inline constexpr int kLeastInInstance = 12;  // of those, rays that meet the box of an instance that moved
 
 // Up to 64 rays of a batch that start near each other.
 template <class Lanes, class Answers>
