@@ -3,6 +3,7 @@
 #include "base/random.h"
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +97,10 @@ void fit(filter::Light& light, Size size) {
     }
 }
 
-void shade(const Room& room, const glm::vec3& d, const Hit& hit, Random& random, Frame& frame, int x, int y) {
+// `ray` and `hit`: of the pixel at (x, y).
+void shade(const Room& room, const Hit& hit, const glm::vec3& ray, glm::ivec2 pixel, Random& random,
+           Frame& frame) {
+    const int x = pixel.x, y = pixel.y;
     frame.surfaces.part.at(x, y) = hit.part;
     if (hit.part == filter::kNoSurface) {
         frame.truth.clean.set(x, y, glm::vec3(room.sky));
@@ -121,7 +125,7 @@ void shade(const Room& room, const glm::vec3& d, const Hit& hit, Random& random,
     const float found = random.unit() < 0.25f ? 4.0f : 0.0f;
     frame.noisy.indirect.set(x, y, around * (found * (0.5f + random.unit())));
     if (hit.part != kFloor) return;
-    const glm::vec3 away = d - hit.normal * (2.0f * glm::dot(d, hit.normal));
+    const glm::vec3 away = ray - hit.normal * (2.0f * glm::dot(ray, hit.normal));
     const Hit seen = meet(room, hit.point, away);
     surfaces.reflected.at(x, y) = seen.part == filter::kNoSurface ? 1000.0f : seen.t;
     const glm::vec3 gloss = 0.2f * radiance(room, seen);
@@ -160,7 +164,7 @@ Frame render(const Room& room, int width, int height, std::uint32_t seed, bool j
             const float at_x = static_cast<float>(x) + (jitters ? dx : 0.5f);
             const float at_y = static_cast<float>(y) + (jitters ? dy : 0.5f);
             const glm::vec3 d = glm::normalize(lens.corner + lens.right * at_x + lens.down * at_y);
-            shade(room, d, meet(room, room.eye, d), random, frame, x, y);
+            shade(room, meet(room, room.eye, d), d, {x, y}, random, frame);
         }
     }
     return frame;
