@@ -1,94 +1,105 @@
 // The part of the upscaler that adds its pictures up.
-#include "filter/temporal_upscale.h"
+#include "filter/temporal_picture_kernel.h"
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "filter/temporal_picture.cpp"
+#include <hwy/foreach_target.h>
+// foreach_target must come before what is compiled once per target.
+#include "filter/simd-inl.h"
+#include "filter/taps-inl.h"
+#include "filter/vector-inl.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
-namespace gh::filter {
-
-namespace {
+HWY_BEFORE_NAMESPACE();
+namespace gh::filter::HWY_NAMESPACE {
 
 constexpr float kStillPictures = 8.0f;   // that are added up where nothing moves ...
 constexpr float kMovingPictures = 4.0f;  // ... and where each frame moves them
 
-// Weights of the four numbers around a place `t` after the second.
-std::array<float, 4> catmull_rom(float t) {
-    const float t2 = t * t, t3 = t2 * t;
-    return {0.5f * (2.0f * t2 - t3 - t), 0.5f * (3.0f * t3 - 5.0f * t2 + 2.0f),
-            0.5f * (4.0f * t2 - 3.0f * t3 + t), 0.5f * (t3 - t2)};
+struct Cubic {
+    Floats weight[4];
+};
+
+// Of the four numbers around a place `t` after the second (Catmull and Rom 1974).
+static HWY_INLINE Cubic catmull_rom(Floats t) {
+    const Floats half = splat(0.5f), t2 = hn::Mul(t, t), t3 = hn::Mul(t2, t);
+    const auto times = [](float factor, Floats v) { return hn::Mul(splat(factor), v); };
+    return {{hn::Mul(half, hn::Sub(hn::Sub(times(2.0f, t2), t3), t)),
+             hn::Mul(half, hn::Add(hn::Sub(times(3.0f, t3), times(5.0f, t2)), splat(2.0f))),
+             hn::Mul(half, hn::Add(hn::Sub(times(4.0f, t2), times(3.0f, t3)), t)),
+             hn::Mul(half, hn::Sub(t3, t2))}};
 }
 
-}  // namespace
-
-// The range of the nine numbers around each of a row of pixels, a channel at a time.
-void TemporalUpscaler::find_picture_range(const Guide& guide, int y, std::vector<float>& low,
-                                          std::vector<float>& high) const {
-    const std::size_t count = 3 * static_cast<std::size_t>(guide.width);
-    const float* middle = &lighted_[static_cast<std::size_t>(y) * static_cast<std::size_t>(guide.width)].x;
-    const float* above = y > 0 ? middle - count : middle;
-    const float* below = y + 1 < guide.height ? middle + count : middle;
-    low.resize(count + 6);  // a pixel more on either side
-    high.resize(count + 6);
-    for (std::size_t i = 0; i < count; ++i) {
-        low[i + 3] = std::min(above[i], std::min(middle[i], below[i]));
-        high[i + 3] = std::max(above[i], std::max(middle[i], below[i]));
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-        low[i] = low[i + 3];
-        high[i] = high[i + 3];
-        low[count + 3 + i] = low[count + i];
-        high[count + 3 + i] = high[count + i];
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        low[i] = std::min(low[i], std::min(low[i + 3], low[i + 6]));
-        high[i] = std::max(high[i], std::max(high[i + 3], high[i + 6]));
-    }
-}
-
-// The pictures before, at a place of theirs, by a sharp filter: a mean is moved in every frame, and a bilinear one would
+// The pictures before, at places of theirs, by a sharp filter: a mean is moved in every frame, and a bilinear one would
 // blur it each time.
-glm::vec3 TemporalUpscaler::picture_at(const glm::vec2& at) const {
-    const glm::vec2 floor = glm::floor(at);
-    const glm::ivec2 low(floor);
-    const glm::vec2 share = at - floor;
-    const auto pixel = [&](int u, int v) -> const glm::vec3& {
-        return picture_[static_cast<std::size_t>(std::clamp(v, 0, size_.y - 1)) *
-                            static_cast<std::size_t>(size_.x) +
-                        static_cast<std::size_t>(std::clamp(u, 0, size_.x - 1))];
+static HWY_INLINE Vector picture_at(const SmoothRow& row, Floats at_x, Floats at_y, Lanes lanes) {
+    const Floats low_x = hn::Floor(at_x), low_y = hn::Floor(at_y);
+    const Floats share_x = hn::Sub(at_x, low_x), share_y = hn::Sub(at_y, low_y), zero = hn::Zero(F());
+    const Ints stride = hn::Set(I(), static_cast<std::int32_t>(row.then_stride));
+    const Ints first = hn::Add(hn::Mul(hn::ConvertTo(I(), low_y), stride), hn::ConvertTo(I(), low_x));
+    const TapPlace place = place_of(hn::IfThenElseZero(hn::RebindMask(I(), lanes), first), lanes);
+    const auto read = [&](std::ptrdiff_t step) {
+        return Vector{read_tap(row.then[0], place, step), read_tap(row.then[1], place, step),
+                      read_tap(row.then[2], place, step)};
     };
-    if (share == glm::vec2(0.0f)) return pixel(low.x, low.y);
-    const std::array<float, 4> across = catmull_rom(share.x), down = catmull_rom(share.y);
-    glm::vec3 sum(0.0f);
-    for (int v = 0; v < 4; ++v) {
-        glm::vec3 row(0.0f);
-        for (int u = 0; u < 4; ++u)
-            row += pixel(low.x + u - 1, low.y + v - 1) * across[static_cast<std::size_t>(u)];
-        sum += row * down[static_cast<std::size_t>(v)];
+    if (hn::AllTrue(F(), hn::And(hn::Eq(share_x, zero), hn::Eq(share_y, zero)))) return read(0);
+    const Cubic across = catmull_rom(share_x), down = catmull_rom(share_y);
+    Vector sum{zero, zero, zero};
+    for (std::ptrdiff_t v = 0; v < 4; ++v) {
+        Vector line{zero, zero, zero};
+        for (std::ptrdiff_t u = 0; u < 4; ++u)
+            line = plus(line, scaled(read((v - 1) * row.then_stride + u - 1), across.weight[u]));
+        sum = plus(sum, scaled(line, down.weight[v]));
     }
     return sum;
 }
 
-// Adds the picture up with those before it, as far as they lie in the range of the nine pixels around.
-void TemporalUpscaler::smooth_row(const Guide& guide, int y, Image& out) const {
-    std::vector<float> low, high;
-    find_picture_range(guide, y, low, high);
-    for (int x = 0; x < guide.width; ++x) {
-        const std::size_t i = out.index(x, y), k = 3 * static_cast<std::size_t>(x);
-        const glm::vec2 at = glm::vec2(x, y) + motion_[i].by;
-        out.pixels[i] = lighted_[i];
-        if (!has_history_ || !(at.x >= 0.0f) || !(at.y >= 0.0f) || at.x > static_cast<float>(size_.x - 1) ||
-            at.y > static_cast<float>(size_.y - 1))
-            continue;
-        const glm::vec3 before = glm::clamp(picture_at(at), glm::vec3(low[k], low[k + 1], low[k + 2]),
-                                            glm::vec3(high[k], high[k + 1], high[k + 2]));
-        const float moved = std::min(1.0f, 2.0f * glm::length(motion_[i].by));
-        const float pictures = kStillPictures + (kMovingPictures - kStillPictures) * moved;
-        out.pixels[i] = before + (lighted_[i] - before) / pictures;
+static HWY_INLINE void smooth_vector(const SmoothRow& row, std::size_t x) {
+    const auto i = static_cast<std::ptrdiff_t>(x);
+    const Vector now = load3_at(row.lighted, i);
+    const Floats by_x = load(row.motion[0] + x), by_y = load(row.motion[1] + x), zero = hn::Zero(F());
+    const Floats at_x = hn::Add(hn::ConvertTo(F(), pixel_numbers(i)), by_x);
+    const Floats at_y = hn::Add(splat(static_cast<float>(row.y)), by_y);
+    const Lanes seen =
+        hn::And(hn::And(inside(pixel_numbers(i), row.width), hn::And(hn::Ge(at_x, zero), hn::Ge(at_y, zero))),
+                hn::And(hn::Le(at_x, splat(static_cast<float>(row.then_width - 1))),
+                        hn::Le(at_y, splat(static_cast<float>(row.then_height - 1)))));
+    Vector mean = now;
+    if (row.has_past && !hn::AllFalse(F(), seen)) {
+        Vector low = now, high = now;
+        for (const std::ptrdiff_t down : {row.above, std::ptrdiff_t{0}, row.below}) {
+            for (std::ptrdiff_t right = -1; right <= 1; ++right) {
+                const Vector around = load3_at(row.lighted, i + down + right);
+                low = least(low, around);
+                high = greatest(high, around);
+            }
+        }
+        const Vector before = clamped(picture_at(row, at_x, at_y, seen), low, high);
+        const Floats by = hn::Sqrt(hn::Add(hn::Mul(by_x, by_x), hn::Mul(by_y, by_y)));
+        const Floats moved = hn::Min(splat(1.0f), hn::Add(by, by));
+        const Floats pictures =
+            hn::Add(splat(kStillPictures), hn::Mul(splat(kMovingPictures - kStillPictures), moved));
+        const Vector mixed = plus(before, scaled(minus(now, before), hn::Div(splat(1.0f), pictures)));
+        mean = choose(seen, mixed, now);
     }
+    store3(mean, row.next, x);
+    store3(mean, row.out, x, static_cast<std::size_t>(row.width));
+}
+
+static void smooth(const SmoothRow& row) {
+    for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) smooth_vector(row, x);
+}
+
+}  // namespace gh::filter::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gh::filter {
+
+HWY_EXPORT(smooth);
+
+void smooth_picture(const SmoothRow& row) {
+    HWY_DYNAMIC_DISPATCH(smooth)(row);
 }
 
 }  // namespace gh::filter
+#endif

@@ -1,30 +1,27 @@
 #include "filter/temporal_upscale.h"
 
 #include "base/contracts.h"
+#include "filter/rows.h"
+#include "filter/temporal_picture_kernel.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gh::filter {
 
 namespace {
 
-constexpr float kStillCount = 10.0f;  // samples a mean of light goes over where nothing moves ...
-constexpr float kMovingCount =
-    2.0f;                          // ... and where each frame moves it: it blurs, and what is mirrored lags
-constexpr float kNearness = 2.5f;  // a sample d pixels away counts exp(-kNearness d^2) ...
-constexpr float kLeastCount = 0.02f;    // ... at least this,
-constexpr float kMovingLeast = 0.5f;    // or this where things move: what is mirrored slides along
-constexpr float kSlack = 0.5f;          // of the range of samples around, beyond which nothing is believed
-constexpr float kReach = 2.0f;          // of a lit pixel's size: how far one surface leaves its own plane
-constexpr float kSameFacing = 0.8f;     // least cosine between the normals of one surface
-constexpr float kSameDistance = 0.03f;  // of a distance from the eye
-constexpr float kFar = 1e4f;            // metres to the sky
+constexpr float kNearness = 2.5f;  // a sample d pixels away counts exp(-kNearness d^2)
+constexpr float kReach = 2.0f;     // of a lit pixel's size: how far one surface leaves its own plane
+constexpr float kFar = 1e4f;       // metres to the sky
+constexpr int kBorder = 16;        // around a bordered plane's pixels: two repeat the outermost
 
 bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -34,203 +31,184 @@ glm::mat3 picture_from_world(const Pinhole& lens) {
     return glm::inverse(glm::mat3(lens.right, lens.down, lens.corner));
 }
 
+const float* row_of(std::span<const glm::vec3> plane, std::size_t first) {
+    return &plane[first].x;
+}
+
+void copy(const glm::vec3& from, float* to) {
+    std::copy_n(glm::value_ptr(from), 3, to);
+}
+
+void fit_bordered(Plane3& planes, glm::ivec2 size) {
+    planes.fit((size.x + 15) / 16 * 16 + 2 * kBorder, size.y + 4);
+}
+// At pixel (0, y) of the picture, `y` from -2 to 1 below the last.
+float* bordered_row(Plane& plane, int y) {
+    return plane.row(y + 2) + kBorder;
+}
+const float* bordered_row(const Plane& plane, int y) {
+    return plane.row(y + 2) + kBorder;
+}
+template <class Planes, class Number>
+void point_to_bordered(Number* to[3], Planes& planes, int y) {
+    to[0] = bordered_row(planes.x, y);
+    to[1] = bordered_row(planes.y, y);
+    to[2] = bordered_row(planes.z, y);
+}
+
+void repeat_sides(Plane3& planes, int width, int y) {
+    for (Plane* plane : {&planes.x, &planes.y, &planes.z}) {
+        float* const row = bordered_row(*plane, y);
+        row[-2] = row[-1] = row[0];
+        row[width] = row[width + 1] = row[width - 1];
+    }
+}
+
+void repeat_rows(Plane3& planes, int height) {
+    for (Plane* plane : {&planes.x, &planes.y, &planes.z}) {
+        for (const int y : {-2, -1, height, height + 1}) {
+            const float* const from = plane->row(std::clamp(y, 0, height - 1) + 2);
+            std::copy_n(from, plane->width(), plane->row(y + 2));
+        }
+    }
+}
+
 }  // namespace
 
+LitPlanes TemporalUpscaler::lit_planes() const {
+    LitPlanes planes{};
+    planes.part = lit_.part.row(0);
+    point_to(planes.normal, lit_.normal, 0);
+    point_to(planes.position, lit_.position, 0);
+    planes.distance = lit_.distance.row(0);
+    point_to(planes.light, lit_.light, 0);
+    planes.known = lit_.known.row(0);
+    point_to(planes.low, lit_.low, 0);
+    point_to(planes.high, lit_.high, 0);
+    planes.stride = lit_.part.stride();
+    planes.width = lit_.part.width();
+    planes.height = lit_.part.height();
+    return planes;
+}
+
 void TemporalUpscaler::demodulate_row(const GuidedFrame& frame, int v) {
-    for (int u = 0; u < frame.radiance.width; ++u) {
-        const std::size_t i = frame.radiance.index(u, v);
-        const std::size_t at = frame.index_of_lit(u, v);
-        const glm::vec3 light =
-            glm::max((frame.radiance.pixels[i] - frame.guide.clean[at]) / frame.guide.albedo[at], 0.0f);
-        Lit& lit = lit_[i];
-        lit.is_known = is_finite(light) && is_finite(frame.radiance.pixels[i]);
-        lit.light = lit.is_known ? light : glm::vec3(0.0f);
-    }
-}
-
-// Whether two pixels show one surface, that goes on between them. `distance`: of the first, from the eye.
-bool TemporalUpscaler::are_one(const Guide& guide, std::size_t a, std::size_t b, float distance) const {
-    if (guide.part[a] != guide.part[b]) return false;
-    if (guide.part[a] == kNoSurface) return true;
-    if (glm::dot(guide.geometric[a], guide.geometric[b]) < kSameFacing) return false;
-    const glm::vec3 offset = guide.position[b] - guide.position[a];
-    const float reach = reach_ * distance;
-    return std::abs(glm::dot(offset, guide.geometric[a])) < reach &&
-           std::abs(glm::dot(offset, guide.geometric[b])) < reach;
-}
-
-void TemporalUpscaler::find_range_row(const GuidedFrame& frame, int v) {
-    const int width = frame.radiance.width, height = frame.radiance.height;
-    for (int u = 0; u < width; ++u) {
-        Lit& lit = lit_[frame.radiance.index(u, v)];
-        lit.low = lit.high = lit.light;
-        const std::size_t here = frame.index_of_lit(u, v);
-        const float distance = motion_[here].distance;
-        for (int y = std::max(0, v - 1); y <= std::min(height - 1, v + 1); ++y) {
-            for (int x = std::max(0, u - 1); x <= std::min(width - 1, u + 1); ++x) {
-                const Lit& other = lit_[frame.radiance.index(x, y)];
-                if (!other.is_known || !are_one(frame.guide, here, frame.index_of_lit(x, y), distance))
-                    continue;
-                lit.low = glm::min(lit.low, other.light);
-                lit.high = glm::max(lit.high, other.light);
-            }
-        }
-    }
-}
-
-TemporalUpscaler::Motion TemporalUpscaler::motion_of(const Guide& guide, int x, int y, std::size_t i) const {
-    Motion motion;
-    const glm::vec2 at = glm::vec2(x, y) + 0.5f + guide.jitter;
-    glm::vec3 was = guide.previous[i];
-    motion.distance = glm::distance(guide.lens.eye, guide.position[i]);
-    if (guide.part[i] == kNoSurface) {
-        const glm::vec3 way = guide.lens.corner + guide.lens.right * at.x + guide.lens.down * at.y;
-        was = guide.lens.eye + glm::normalize(way) * kFar;
-        motion.distance = kFar;
-    }
-    motion.was_distance = glm::distance(before_.eye, was);
-    if (!has_history_) return motion;
-    const glm::vec3 then = picture_before_ * (was - before_.eye);
-    motion.by = then.z > 0.0f ? glm::vec2(then) / then.z - at : glm::vec2(-1e6f);
-    if (!(std::abs(motion.by.x) < 1e6f) || !(std::abs(motion.by.y) < 1e6f)) motion.by = glm::vec2(-1e6f);
-    return motion;
-}
-
-// This frame's light on a pixel's surface, by the lit pixels around it; `count`: what it is worth.
-TemporalUpscaler::Lit TemporalUpscaler::fresh_light(const GuidedFrame& frame, int x, int y, float distance,
-                                                    float& count) const {
-    const int width = frame.radiance.width, height = frame.radiance.height;
-    const std::size_t here = frame.guide.index(x, y);
-    const auto step = static_cast<float>(frame.step);
-    const glm::vec2 at = glm::vec2(x - frame.offset.x, y - frame.offset.y) / step;
-    const glm::ivec2 low(glm::floor(at));
-    Lit result;
-    result.low = glm::vec3(1e30f);
-    result.high = glm::vec3(-1e30f);
-    float total = 0.0f;
-    const Lit* nearest = nullptr;
-    float nearest_off = 1e30f;
-    count = 0.0f;
-    for (int corner = 0; corner < 4; ++corner) {
-        const int u = low.x + (corner & 1), v = low.y + (corner >> 1);
-        if (u < 0 || v < 0 || u >= width || v >= height) continue;
-        const glm::vec2 off = at - glm::vec2(u, v);
-        const float weight = (1.0f - std::abs(off.x)) * (1.0f - std::abs(off.y));
-        if (!(weight > 0.0f)) continue;
-        const Lit& lit = lit_[frame.radiance.index(u, v)];
-        if (!lit.is_known) continue;
-        const float off2 = glm::dot(off, off) * step * step;
-        if (off2 < nearest_off) {
-            nearest_off = off2;
-            nearest = &lit;
-        }
-        const std::size_t there = frame.index_of_lit(u, v);
-        if (there != here && !are_one(frame.guide, here, there, distance)) continue;
-        result.light += lit.light * weight;
-        result.low = glm::min(result.low, lit.low);
-        result.high = glm::max(result.high, lit.high);
-        total += weight;
-        count = std::max(count, std::exp(-kNearness * off2));
-    }
-    if (total > 0.0f) {
-        result.light /= total;
-        result.is_known = true;
-        count = std::max(count, kLeastCount);
-    } else if (nearest != nullptr) {
-        result.light = nearest->light;  // of something else, but near
-        count = 0.0f;
-    }
-    return result;
-}
-
-TemporalUpscaler::Kept TemporalUpscaler::kept_light(const Guide& guide, int x, int y, const Motion& motion,
-                                                    std::uint32_t part) const {
-    Kept result;
-    const glm::vec2 at = glm::vec2(x, y) + motion.by;
-    if (!(at.x > -1.0f) || !(at.y > -1.0f) || !(at.x < static_cast<float>(guide.width)) ||
-        !(at.y < static_cast<float>(guide.height)))
-        return result;
-    const glm::vec2 floor = glm::floor(at);
-    const glm::ivec2 low(floor);
-    const glm::vec2 share = at - floor;
-    float total = 0.0f;
-    const auto take = [&](int u, int v, float weight) {
-        if (u < 0 || v < 0 || u >= guide.width || v >= guide.height) return;
-        const Kept& kept = kept_[guide.index(u, v)];
-        if (kept.part != part || !(kept.count > 0.0f) ||
-            std::abs(kept.distance - motion.was_distance) > kSameDistance * motion.was_distance)
-            return;
-        result.light += kept.light * weight;
-        result.count += kept.count * weight;
-        total += weight;
-    };
-    constexpr float kLeast = 1e-3f;
-    for (int corner = 0; corner < 4; ++corner) {
-        const bool right = (corner & 1) != 0, below = (corner & 2) != 0;
-        const float weight = (right ? share.x : 1.0f - share.x) * (below ? share.y : 1.0f - share.y);
-        if (weight > kLeast) take(low.x + (right ? 1 : 0), low.y + (below ? 1 : 0), weight);
-    }
-    if (!(total > 0.0f)) {  // an edge that one frame saw on this side and the other on that
-        const glm::ivec2 near(glm::floor(at + 0.5f));
-        for (int v = near.y - 1; v <= near.y + 1; ++v)
-            for (int u = near.x - 1; u <= near.x + 1; ++u) take(u, v, 1.0f);
-    }
-    if (!(total > 0.0f)) return {};
-    result.light /= total;
-    result.count /= total;
-    return result;
-}
-
-void TemporalUpscaler::light_row(const GuidedFrame& frame, int y) {
     const Guide& guide = frame.guide;
-    for (int x = 0; x < guide.width; ++x) {
-        const std::size_t i = guide.index(x, y);
-        const Motion& motion = motion_[i];
-        float count = 0.0f;
-        const Lit fresh = fresh_light(frame, x, y, motion.distance, count);
-        Kept kept = has_history_ ? kept_light(guide, x, y, motion, guide.part[i]) : Kept{};
-        if (kept.count > 0.0f && fresh.is_known) {
-            const glm::vec3 slack = (fresh.high - fresh.low) * kSlack;
-            glm::vec3 believed = glm::clamp(kept.light, fresh.low - slack, fresh.high + slack);
-            // What is proved wrong is given no slack: a lamp's last tenth would linger in it.
-            if (believed != kept.light) believed = glm::clamp(kept.light, fresh.low, fresh.high);
-            // The further it had to be brought back, the less its past is worth.
-            const float off = glm::length(believed - kept.light), size = glm::length(kept.light) + 1e-6f;
-            kept.count *= 1.0f - std::min(1.0f, off / size);
-            kept.light = believed;
-        }
-        if (kept.count < 1.0f && fresh.is_known) count = std::max(count, 0.2f);
-        const float moved = std::min(1.0f, 2.0f * glm::length(motion.by));
-        if (fresh.is_known) count = std::max(count, kMovingLeast * moved);
-        const float total = kept.count + count;
-        const float most = kStillCount + (kMovingCount - kStillCount) * moved;
-        Kept& next = next_[i];
-        next.light = total > 0.0f ? kept.light + (fresh.light - kept.light) * (count / total) : fresh.light;
-        next.count = std::min(total, most);
-        next.distance = motion.distance;
-        next.part = guide.part[i];
-        const glm::vec3 color = next.light * guide.albedo[i] + guide.clean[i];
-        lighted_[i] = is_finite(color) ? color : glm::vec3(0.0f);
+    for (int u = 0; u < frame.radiance.width; ++u) {
+        const glm::vec3& radiance = frame.radiance.pixels[frame.radiance.index(u, v)];
+        const std::size_t at = frame.index_of_lit(u, v);
+        const glm::vec3 light = glm::max((radiance - guide.clean[at]) / guide.albedo[at], 0.0f);
+        const bool is_known = is_finite(light) && is_finite(radiance);
+        const bool is_sky = guide.part[at] == kNoSurface;
+        lit_.light.set(u, v, is_known ? light : glm::vec3(0.0f));
+        lit_.known.at(u, v) = is_known ? 1.0f : 0.0f;
+        lit_.part.at(u, v) = guide.part[at];
+        lit_.normal.set(u, v, guide.geometric[at]);
+        lit_.position.set(u, v, guide.position[at]);
+        lit_.distance.at(u, v) = is_sky ? kFar : glm::distance(guide.lens.eye, guide.position[at]);
     }
+}
+
+void TemporalUpscaler::find_range_row(int v) {
+    RangeRow row{.lit = lit_planes(), .v = v, .reach = reach_, .low = {}, .high = {}};
+    point_to(row.low, lit_.low, v);
+    point_to(row.high, lit_.high, v);
+    find_range(row);
+}
+
+void TemporalUpscaler::spread_row(const GuidedFrame& frame, int y) {
+    const Guide& guide = frame.guide;
+    const std::size_t first = guide.index(0, y);
+    SpreadRow row{};
+    row.y = y;
+    row.width = guide.width;
+    row.height = guide.height;
+    row.position = row_of(guide.position, first);
+    row.previous = row_of(guide.previous, first);
+    row.normal = row_of(guide.geometric, first);
+    row.albedo = row_of(guide.albedo, first);
+    row.clean = row_of(guide.clean, first);
+    row.part = &guide.part[first];
+    copy(guide.lens.eye, row.eye);
+    const float down = static_cast<float>(y) + 0.5f + guide.jitter.y;
+    copy(guide.lens.corner + guide.lens.down * down, row.corner);
+    copy(guide.lens.right, row.right);
+    row.jitter[0] = guide.jitter.x;
+    row.jitter[1] = guide.jitter.y;
+    copy(before_.eye, row.eye_before);
+    std::copy_n(glm::value_ptr(picture_before_), 9, row.picture_before);
+    row.lit = lit_planes();
+    const int below = y - frame.offset.y + frame.step;  // a step more, so that it is never negative
+    row.v = below / frame.step - 1;
+    row.share_y = static_cast<float>(below % frame.step) / static_cast<float>(frame.step);
+    row.step = static_cast<float>(frame.step);
+    const auto near = [&](float share) { return std::exp(-kNearness * share * share * row.step * row.step); };
+    row.near_y[0] = near(row.share_y);
+    row.near_y[1] = near(1.0f - row.share_y);
+    row.u = between_.u.data();
+    row.share_x = between_.share.data();
+    row.near_x[0] = between_.near_left.data();
+    row.near_x[1] = between_.near_right.data();
+    row.reach = reach_;
+    row.has_past = has_history_;
+    point_to(row.then.light, kept_.light, 0);
+    row.then.count = kept_.count.row(0);
+    row.then.distance = kept_.distance.row(0);
+    row.then.part = kept_.part.row(0);
+    row.then.stride = kept_.part.stride();
+    point_to(row.light, next_.light, y);
+    row.count = next_.count.row(y);
+    row.distance = next_.distance.row(y);
+    row.kept_part = next_.part.row(y);
+    row.motion[0] = motion_x_.row(y);
+    row.motion[1] = motion_y_.row(y);
+    point_to_bordered(row.lighted, lighted_, y);
+    spread_light(row);
+    repeat_sides(lighted_, guide.width, y);
+}
+
+void TemporalUpscaler::smooth_row(const GuidedFrame& frame, int y, Image& out) {
+    const int width = frame.guide.width, height = frame.guide.height;
+    SmoothRow row{};
+    row.y = y;
+    row.width = width;
+    row.motion[0] = motion_x_.row(y);
+    row.motion[1] = motion_y_.row(y);
+    point_to_bordered(row.lighted, std::as_const(lighted_), y);
+    row.above = y > 0 ? -lighted_.x.stride() : 0;
+    row.below = y + 1 < height ? lighted_.x.stride() : 0;
+    row.has_past = has_history_;
+    row.then_width = width;
+    row.then_height = height;
+    point_to_bordered(row.then, std::as_const(picture_), 0);
+    row.then_stride = picture_.x.stride();
+    point_to_bordered(row.next, next_picture_, y);
+    row.out = &out.pixels[out.index(0, y)].x;
+    smooth_picture(row);
+    repeat_sides(next_picture_, width, y);
 }
 
 // What is kept has another size: begin with it stretched.
-void TemporalUpscaler::stretch(const Guide& guide) {
-    const glm::ivec2 size(guide.width, guide.height);
-    std::vector<Kept> stretched(guide.part.size());
-    std::vector<glm::vec3> picture(guide.part.size());
+void TemporalUpscaler::stretch(glm::ivec2 size) {
+    Kept stretched;
+    Plane3 picture;
+    stretched.light.fit(size.x, size.y);
+    stretched.count.fit(size.x, size.y);
+    stretched.distance.fit(size.x, size.y);
+    stretched.part.fit(size.x, size.y);
+    fit_bordered(picture, size);
     for (int y = 0; has_history_ && y < size.y; ++y) {
         for (int x = 0; x < size.x; ++x) {
             const int u = x * size_.x / size.x, v = y * size_.y / size.y;
-            const std::size_t from =
-                static_cast<std::size_t>(v) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(u);
-            const std::size_t to = guide.index(x, y);
-            stretched[to] = kept_[from];
-            stretched[to].count = std::min(stretched[to].count, 1.0f);
-            picture[to] = picture_[from];
+            stretched.light.set(x, y, kept_.light.get(u, v));
+            stretched.count.at(x, y) = std::min(kept_.count.at(u, v), 1.0f);
+            stretched.distance.at(x, y) = kept_.distance.at(u, v);
+            stretched.part.at(x, y) = kept_.part.at(u, v);
+            picture.set(x + kBorder, y + 2, picture_.get(u + kBorder, v + 2));
         }
+        repeat_sides(picture, size.x, y);
     }
     if (has_history_) {
+        repeat_rows(picture, size.y);
         const glm::vec2 wider = glm::vec2(size_) / glm::vec2(size);
         before_.right *= wider.x;
         before_.down *= wider.y;
@@ -240,36 +218,59 @@ void TemporalUpscaler::stretch(const Guide& guide) {
     size_ = size;
 }
 
+void TemporalUpscaler::fit(const GuidedFrame& frame) {
+    const glm::ivec2 size(frame.guide.width, frame.guide.height),
+        lit(frame.radiance.width, frame.radiance.height);
+    if (size_ != size) stretch(size);
+    for (Plane3* planes : {&lit_.normal, &lit_.position, &lit_.light, &lit_.low, &lit_.high})
+        planes->fit(lit.x, lit.y);
+    for (Plane* plane : {&lit_.distance, &lit_.known}) plane->fit(lit.x, lit.y);
+    lit_.part.fit(lit.x, lit.y);
+    next_.light.fit(size.x, size.y);
+    for (Plane* plane : {&next_.count, &next_.distance, &motion_x_, &motion_y_}) plane->fit(size.x, size.y);
+    next_.part.fit(size.x, size.y);
+    fit_bordered(lighted_, size);
+    fit_bordered(next_picture_, size);
+}
+
+void TemporalUpscaler::lay_out(const GuidedFrame& frame) {
+    const auto step = static_cast<float>(frame.step);
+    const std::size_t count = (static_cast<std::size_t>(frame.guide.width) + 15) / 16 * 16;
+    between_.u.resize(count);
+    for (auto* numbers : {&between_.share, &between_.near_left, &between_.near_right}) numbers->resize(count);
+    for (std::size_t x = 0; x < count; ++x) {
+        const int right = static_cast<int>(x) - frame.offset.x + frame.step;
+        const float share = static_cast<float>(right % frame.step) / step;
+        between_.u[x] = right / frame.step - 1;
+        between_.share[x] = share;
+        between_.near_left[x] = std::exp(-kNearness * share * share * step * step);
+        between_.near_right[x] = std::exp(-kNearness * (1.0f - share) * (1.0f - share) * step * step);
+    }
+}
+
 void TemporalUpscaler::add(const GuidedFrame& frame, const Jobs& jobs, Image& out) {
     const Guide& guide = frame.guide;
     const std::size_t pixels = guide.part.size();
     EXPECTS(frame.radiance.width >= 1 && frame.radiance.height >= 1 && frame.step >= 1);
+    EXPECTS(0 <= frame.offset.x && frame.offset.x < frame.step && 0 <= frame.offset.y &&
+            frame.offset.y < frame.step);
     EXPECTS(guide.width == frame.radiance.width * frame.step &&
             guide.height == frame.radiance.height * frame.step);
     EXPECTS(guide.position.size() == pixels && guide.previous.size() == pixels &&
             guide.albedo.size() == pixels);
     EXPECTS(guide.geometric.size() == pixels && guide.clean.size() == pixels);
-    if (size_ != glm::ivec2(guide.width, guide.height)) stretch(guide);
+    fit(frame);
+    lay_out(frame);
     reach_ = kReach * static_cast<float>(frame.step) * glm::length(guide.lens.right);
     picture_before_ = picture_from_world(before_);
-    lit_.resize(frame.radiance.pixels.size());
-    next_.resize(pixels);
-    motion_.resize(pixels);
-    lighted_.resize(pixels);
     if (out.width != guide.width || out.height != guide.height) out = Image(guide.width, guide.height);
-    const auto rows = static_cast<std::size_t>(guide.height);
-    const auto lit_rows = static_cast<std::size_t>(frame.radiance.height);
-    jobs.run(rows, [&](std::size_t row, int) {
-        const int y = static_cast<int>(row);
-        for (int x = 0; x < guide.width; ++x)
-            motion_[guide.index(x, y)] = motion_of(guide, x, y, guide.index(x, y));
-    });
-    jobs.run(lit_rows, [&](std::size_t v, int) { demodulate_row(frame, static_cast<int>(v)); });
-    jobs.run(lit_rows, [&](std::size_t v, int) { find_range_row(frame, static_cast<int>(v)); });
-    jobs.run(rows, [&](std::size_t y, int) { light_row(frame, static_cast<int>(y)); });
-    jobs.run(rows, [&](std::size_t y, int) { smooth_row(guide, static_cast<int>(y), out); });
-    picture_ = out.pixels;
-    kept_.swap(next_);
+    run_rows(frame.radiance.height, jobs, [&](int v) { demodulate_row(frame, v); });
+    run_rows(frame.radiance.height, jobs, [&](int v) { find_range_row(v); });
+    run_rows(guide.height, jobs, [&](int y) { spread_row(frame, y); });
+    run_rows(guide.height, jobs, [&](int y) { smooth_row(frame, y, out); });
+    repeat_rows(next_picture_, guide.height);
+    std::swap(kept_, next_);
+    std::swap(picture_, next_picture_);
     before_ = guide.lens;
     has_history_ = true;
 }

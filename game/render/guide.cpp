@@ -37,6 +37,7 @@ class GuideTracer {
         hits_.resize(rays_.size());
         rc::closest_hits(*frame_.view.snapshot.scene, rays_, world::Light, hits_);
         not_plain_.clear();
+        met_.clear();
         for (std::size_t i = 0; i < hits_.size(); ++i) {
             if (i + kIndicesAhead < hits_.size()) fetch_indices(frame_.view, hits_[i + kIndicesAhead]);
             if (i + kCornersAhead < hits_.size()) fetch_corners(frame_.view, hits_[i + kCornersAhead]);
@@ -44,9 +45,11 @@ class GuideTracer {
             const std::size_t at =
                 static_cast<std::size_t>(top + pixel / columns) * static_cast<std::size_t>(frame_.width) +
                 static_cast<std::size_t>(left + pixel % columns);
-            if (!note_plain(rays_[i], hits_[i], at)) not_plain_.push_back(static_cast<std::uint16_t>(i));
+            if (note_plain(rays_[i], hits_[i], at)) continue;
+            not_plain_.push_back(static_cast<std::uint16_t>(i));
+            met_.push_back(hits_[i]);
         }
-        if (!not_plain_.empty()) tracer_.look_at(tile_x, tile_y, not_plain_);
+        if (!not_plain_.empty()) tracer_.look_at(tile_x, tile_y, not_plain_, met_);
     }
 
   private:
@@ -58,15 +61,14 @@ class GuideTracer {
             clean = sky_radiance(frame_.light.sun, ray.direction);
             return true;
         }
-        const world::Level& level = frame_.view.level;
-        const world::Mesh& mesh = level.meshes[level.parts[hit.instance].mesh];
-        if (!is_plain(level.materials[mesh.materials[hit.primitive]])) {
+        const GuideTriangle& triangle = triangles_.of(frame_.view, hit);
+        if (!triangle.is_plain) {
             note({}, at, *frame_.guide);  // should nothing come of it
             return false;
         }
         const float width = frame_.lens.pixel_angle() * hit.t * frame_.settings.texture_blur;
         glm::vec3 emission;
-        note(plain_point(frame_.view, ray, hit, width, frame_.settings.texture_taps, emission), at,
+        note(plain_point(frame_.view, triangle, ray, hit, width, frame_.settings.texture_taps, emission), at,
              *frame_.guide);
         clean = frame_.light.emission_on[hit.instance] != 0 ? emission : glm::vec3(0.0f);
         return true;
@@ -74,9 +76,11 @@ class GuideTracer {
 
     const Frame& frame_;
     TileTracer tracer_;
+    GuideTriangles triangles_;
     std::vector<rc::Ray> rays_;
     std::vector<rc::Hit> hits_;
     std::vector<std::uint16_t> not_plain_;
+    std::vector<rc::Hit> met_;  // by those
 };
 
 void fit(FilmPlanes& planes, glm::ivec2 size) {

@@ -1,7 +1,5 @@
 #include "render/guide_point.h"
 
-#include "render/shading_corners.h"
-
 #include <glm/geometric.hpp>
 
 namespace gh::render {
@@ -36,16 +34,34 @@ bool is_plain(const world::Material& material) {
            !(material.metallic > 0.0f);
 }
 
-GuidePoint plain_point(const SceneView& view, const rc::Ray& ray, const rc::Hit& hit, float cone_width,
-                       float max_taps, glm::vec3& emission) {
+const GuideTriangle& GuideTriangles::of(const SceneView& view, const rc::Hit& hit) {
+    GuideTriangle& triangle = kept_[(hit.primitive ^ hit.instance * 5u) % kKept];
+    if (triangle.instance == hit.instance && triangle.primitive == hit.primitive) return triangle;
     const world::Mesh& mesh = view.level.meshes[view.level.parts[hit.instance].mesh];
-    const std::uint32_t material_id = mesh.materials[hit.primitive];
-    const world::Material& material = view.level.materials[material_id];
-    const glm::mat3 to_world = linear_part(view.snapshot.scene->instance(hit.instance).world_from_instance);
-    const bool has_uvs = !mesh.uvs.empty() && view.prepared.has_textures[material_id] != 0;
-    const HitTriangle corners = corners_of(view, mesh, hit, to_world, has_uvs);
-    const glm::vec3 normal = unit_or(glm::cross(corners.edge1, corners.edge2), -ray.direction);
+    const std::uint32_t material = mesh.materials[hit.primitive];
+    triangle = GuideTriangle();
+    triangle.instance = hit.instance;
+    triangle.primitive = hit.primitive;
+    triangle.material = &view.level.materials[material];
+    triangle.is_plain = is_plain(*triangle.material);
+    if (!triangle.is_plain) return triangle;
+    triangle.is_textured = !mesh.uvs.empty() && view.prepared.has_textures[material] != 0;
+    const glm::mat3 to_world =
+        linear_part(view.snapshot.scene->instance(hit.instance).world_from_instance);
+    const HitTriangle corners = corners_of(view, mesh, hit, to_world, triangle.is_textured);
+    triangle.normal = unit_or(glm::cross(corners.edge1, corners.edge2), glm::vec3(0.0f));
+    if (!triangle.is_textured) return triangle;
+    triangle.uv = mesh.uvs[corners.index.x];
+    triangle.uv_edge1 = corners.uv_edge1;
+    triangle.uv_edge2 = corners.uv_edge2;
+    triangle.gradients = uv_gradients(corners);
+    return triangle;
+}
 
+GuidePoint plain_point(const SceneView& view, const GuideTriangle& triangle, const rc::Ray& ray,
+                       const rc::Hit& hit, float cone_width, float max_taps, glm::vec3& emission) {
+    const world::Material& material = *triangle.material;
+    const glm::vec3 normal = triangle.normal == glm::vec3(0.0f) ? -ray.direction : triangle.normal;
     GuidePoint point;
     point.part = hit.instance;
     point.position = ray.origin + ray.direction * hit.t;
@@ -53,12 +69,13 @@ GuidePoint plain_point(const SceneView& view, const rc::Ray& ray, const rc::Hit&
     point.geometric = glm::dot(normal, ray.direction) > 0.0f ? -normal : normal;
     glm::vec3 base_color(material.base_color);
     emission = material.emission;
-    if (has_uvs) {
-        const Footprint footprint = footprint_of(corners, ray.direction, normal, cone_width);
+    if (triangle.is_textured) {
+        const Footprint footprint = footprint_of(triangle.gradients, ray.direction, normal, cone_width);
+        const glm::vec2 uv = triangle.uv + triangle.uv_edge1 * hit.u + triangle.uv_edge2 * hit.v;
         const auto look_up = [&](std::uint32_t texture, world::TextureSlot slot) {
             if (texture == world::kNoIndex) return glm::vec3(1.0f);
             return glm::vec3(view.prepared.textures[texture].sample(
-                uv_of(material, slot, corners.uv), footprint_of(material, slot, footprint), max_taps));
+                uv_of(material, slot, uv), footprint_of(material, slot, footprint), max_taps));
         };
         base_color *= look_up(material.base_color_texture, world::TextureSlot::BaseColor);
         if (emission != glm::vec3(0.0f))

@@ -5,12 +5,15 @@
 
 #include "render/film.h"
 #include "render/scene_view.h"
+#include "render/shading_corners.h"
 #include "world/level.h"
 
 #include "raycore/ray.h"
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -36,9 +39,32 @@ void note(const GuidePoint& point, std::size_t pixel, FilmPlanes& planes);
 // more than it scatters, whatever its textures hold.
 [[nodiscard]] bool is_plain(const world::Material& material);
 
-// A hit of such a surface, with no more looked up than the guide needs; its emission apart. `direction` unit;
-// `cone_width` and `max_taps` as shading_point() has them.
-[[nodiscard]] GuidePoint plain_point(const SceneView& view, const rc::Ray& ray, const rc::Hit& hit,
-                                     float cone_width, float max_taps, glm::vec3& emission);
+// What all pixels have in common that show the same triangle: neighbours mostly do.
+struct GuideTriangle {
+    std::uint32_t instance = rc::kNone, primitive = rc::kNone;  // kNone: of no pixel yet
+    bool is_plain = false;  // what is below counts only then
+    bool is_textured = false;
+    const world::Material* material = nullptr;
+    glm::vec3 normal{0.0f};  // unit; 0: it has no area
+    glm::vec2 uv{0.0f}, uv_edge1{0.0f}, uv_edge2{0.0f};
+    UvGradients gradients;
+};
+
+// The triangles of the last pixels.
+class GuideTriangles {
+  public:
+    // Valid until the next one is asked for. Precondition: `hit` is a hit of the view's snapshot.
+    [[nodiscard]] const GuideTriangle& of(const SceneView& view, const rc::Hit& hit);
+
+  private:
+    static constexpr std::size_t kKept = 16;  // eight triangles a tile are usual
+    std::array<GuideTriangle, kKept> kept_{};
+};
+
+// A hit of a plain surface, with no more looked up than the guide needs; its emission apart. The ray's direction is
+// unit; `cone_width` and `max_taps` as shading_point() has them.
+[[nodiscard]] GuidePoint plain_point(const SceneView& view, const GuideTriangle& triangle, const rc::Ray& ray,
+                                     const rc::Hit& hit, float cone_width, float max_taps,
+                                     glm::vec3& emission);
 
 }  // namespace gh::render

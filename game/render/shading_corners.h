@@ -48,17 +48,27 @@ inline HitTriangle corners_of(const SceneView& view, const world::Mesh& mesh, co
     return corners;
 }
 
-// The ellipse that the ray's cone cuts out of the triangle's plane.
-inline Footprint footprint_of(const HitTriangle& corners, const glm::vec3& direction,
-                              const glm::vec3& geometric, float cone_width) {
+// How a texture's u and v change along a world vector in the triangle's plane; 0 where the triangle has no area.
+struct UvGradients {
+    glm::vec3 u{0.0f}, v{0.0f};
+};
+
+inline UvGradients uv_gradients(const HitTriangle& corners) {
     const glm::vec3 n = glm::cross(corners.edge1, corners.edge2);
     const float area2 = glm::dot(n, n);
     if (!(area2 > 0.0f)) return {};
-    // How the barycentrics, and with them uv, change along a world vector in the triangle's plane.
-    const glm::vec3 u_grows = glm::cross(corners.edge2, n) / area2;
-    const glm::vec3 v_grows = glm::cross(n, corners.edge1) / area2;
+    // The same for the barycentrics.
+    const glm::vec3 of_edge1 = glm::cross(corners.edge2, n) / area2;
+    const glm::vec3 of_edge2 = glm::cross(n, corners.edge1) / area2;
+    return {of_edge1 * corners.uv_edge1.x + of_edge2 * corners.uv_edge2.x,
+            of_edge1 * corners.uv_edge1.y + of_edge2 * corners.uv_edge2.y};
+}
+
+// The ellipse that the ray's cone cuts out of the triangle's plane.
+inline Footprint footprint_of(const UvGradients& gradients, const glm::vec3& direction,
+                              const glm::vec3& geometric, float cone_width) {
     const auto uv_along = [&](const glm::vec3& way) {
-        return corners.uv_edge1 * glm::dot(way, u_grows) + corners.uv_edge2 * glm::dot(way, v_grows);
+        return glm::vec2(glm::dot(way, gradients.u), glm::dot(way, gradients.v));
     };
     const float cosine = std::max(std::abs(glm::dot(direction, geometric)), 0.02f);
     const glm::vec3 slant = direction - geometric * glm::dot(direction, geometric);

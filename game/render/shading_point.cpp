@@ -155,7 +155,7 @@ ShadingPoint shading_point(const SceneView& view, const rc::Ray& ray, const rc::
     point.is_entering = glm::dot(direction, outward) <= 0.0f;
     point.geometric = point.is_entering ? outward : -outward;
 
-    const Footprint footprint = has_uvs ? footprint_of(corners, direction, outward, cone_width) : Footprint{};
+    const Footprint footprint = has_uvs ? footprint_of(uv_gradients(corners), direction, outward, cone_width) : Footprint{};
     using Slot = world::TextureSlot;
     const auto look_up = [&](std::uint32_t texture, Slot slot) {
         if (texture == world::kNoIndex || !has_uvs) return glm::vec4(1.0f);

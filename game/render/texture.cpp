@@ -57,8 +57,7 @@ std::uint16_t* MipTexture::Mip::texel(int x, int y) {
     return rgba.data() + 4 * (block * kBlockSide * kBlockSide + within);
 }
 
-MipTexture::MipTexture(const world::Texture& texture, Encoding encoding)
-    : edge_u_(edge_of(texture.wrap_u)), edge_v_(edge_of(texture.wrap_v)) {
+MipTexture::MipTexture(const world::Texture& texture, Encoding encoding) {
     EXPECTS(texture.width >= 1 && texture.height >= 1);
     const auto& rgb = encoding == Encoding::Srgb ? kTables.from_srgb : kTables.unit;
     Mip whole(texture.width, texture.height);
@@ -72,6 +71,10 @@ MipTexture::MipTexture(const world::Texture& texture, Encoding encoding)
     }
     mips_.push_back(std::move(whole));
     while (mips_.back().width > 1 || mips_.back().height > 1) mips_.push_back(halved(mips_.back()));
+    for (std::size_t fine = 0; fine < mips_.size(); ++fine) {
+        pairs_.push_back(mip_pair(mips_[fine].view(), mips_[std::min(fine + 1, mips_.size() - 1)].view(),
+                                  edge_of(texture.wrap_u), edge_of(texture.wrap_v)));
+    }
 }
 
 void MipTexture::Mip::average(const glm::ivec2& begin, const glm::ivec2& end, std::uint16_t* mean) {
@@ -114,12 +117,12 @@ glm::vec4 MipTexture::sample(glm::vec2 uv, const Footprint& footprint, float max
     const float clamped = std::min(level, static_cast<float>(level_count() - 1));
     const auto fine = static_cast<std::size_t>(clamped);
 
-    TapQuery query{.fine = mips_[fine].view(),
-                   .coarse = mips_[std::min(fine + 1, mips_.size() - 1)].view(),
+    TapQuery query{.levels = &pairs_[fine],
+                   .fine = mips_[fine].rgba.data(),
+                   .coarse = mips_[std::min(fine + 1, mips_.size() - 1)].rgba.data(),
                    .blend = clamped - static_cast<float>(fine),
                    .uv = {uv.x, uv.y},
-                   .taps = static_cast<int>(taps),
-                   .edge = {edge_u_, edge_v_}};
+                   .taps = static_cast<int>(taps)};
     if (query.taps > 1) {
         const glm::vec2 step = footprint.major / taps, first = uv + step * (0.5f - 0.5f * taps);
         query.step[0] = step.x;

@@ -53,8 +53,7 @@ class MipTexture {
     [[nodiscard]] static Mip halved(Mip& big);
 
     std::vector<Mip> mips_;
-    Edge edge_u_;
-    Edge edge_v_;
+    std::vector<MipPair> pairs_;  // every level and the next
 };
 
 }  // namespace gh::render

@@ -16,35 +16,11 @@ using Half = hn::Rebind<std::uint16_t, F>;
 using Floats = hn::Vec<F>;
 using Ints = hn::Vec<I>;
 
-// What the query says of u and v in the fine level and u and v in the coarse one, in this order: constant for all taps.
-struct Axes {
-    HWY_ALIGN float size[4];
-    HWY_ALIGN std::int32_t last[4];
-    HWY_ALIGN std::int32_t below[4], above[4];            // texel -1, and the one behind the last
-    HWY_ALIGN std::int32_t block_step[4], texel_step[4];  // from block to block and within one, in texels
-};
-
 // For one tap: where the two texels of each axis lie in memory, and how far the place is from the first to the second.
 struct Place {
     HWY_ALIGN std::int32_t first[4], second[4];
     HWY_ALIGN float share[4];
 };
-
-static HWY_INLINE Axes axes_of(const TapQuery& query) {
-    Axes axes;
-    for (int i = 0; i < 4; ++i) {
-        const MipView& mip = i < 2 ? query.fine : query.coarse;
-        const bool is_v = i % 2 == 1, repeats = query.edge[i % 2] == Edge::Repeat;
-        const int size = is_v ? mip.height : mip.width;
-        axes.size[i] = static_cast<float>(size);
-        axes.last[i] = size - 1;
-        axes.below[i] = repeats ? size - 1 : 0;
-        axes.above[i] = repeats ? 0 : size - 1;
-        axes.block_step[i] = kBlockSide * kBlockSide * (is_v ? mip.blocks_across : 1);
-        axes.texel_step[i] = is_v ? kBlockSide : 1;
-    }
-    return axes;
-}
 
 // Brings a coordinate into [0, 1].
 static HWY_INLINE float folded(float t, Edge edge) {
@@ -58,23 +34,23 @@ static HWY_INLINE float folded(float t, Edge edge) {
     return back <= 1.0f ? back : 2.0f - back;
 }
 
-static HWY_INLINE Ints offset_of(Ints texel, const Axes& axes, std::size_t i) {
+static HWY_INLINE Ints offset_of(Ints texel, const MipPair& levels, std::size_t i) {
     const Ints block = hn::ShiftRight<2>(texel), within = hn::And(texel, hn::Set(I(), kBlockSide - 1));
-    return hn::Add(hn::Mul(block, hn::Load(I(), axes.block_step + i)),
-                   hn::Mul(within, hn::Load(I(), axes.texel_step + i)));
+    return hn::Add(hn::Mul(block, hn::Load(I(), levels.block_step + i)),
+                   hn::Mul(within, hn::Load(I(), levels.texel_step + i)));
 }
 
-static HWY_INLINE void find_place(const Axes& axes, const float (&uv)[4], Place& place) {
+static HWY_INLINE void find_place(const MipPair& levels, const float (&uv)[4], Place& place) {
     for (std::size_t i = 0; i < 4; i += hn::Lanes(F())) {
         const Floats at =
-            hn::Sub(hn::Mul(hn::Load(F(), uv + i), hn::Load(F(), axes.size + i)), hn::Set(F(), 0.5f));
+            hn::Sub(hn::Mul(hn::Load(F(), uv + i), hn::Load(F(), levels.size + i)), hn::Set(F(), 0.5f));
         const Floats floor = hn::Floor(at);
-        const Ints low = hn::ConvertTo(I(), floor), last = hn::Load(I(), axes.last + i);
+        const Ints low = hn::ConvertTo(I(), floor), last = hn::Load(I(), levels.last + i);
         const Ints high = hn::Add(low, hn::Set(I(), 1));
-        const Ints first = hn::IfThenElse(hn::Lt(low, hn::Zero(I())), hn::Load(I(), axes.below + i), low);
-        const Ints second = hn::IfThenElse(hn::Gt(high, last), hn::Load(I(), axes.above + i), high);
-        hn::Store(offset_of(hn::Min(first, last), axes, i), I(), place.first + i);
-        hn::Store(offset_of(second, axes, i), I(), place.second + i);
+        const Ints first = hn::IfThenElse(hn::Lt(low, hn::Zero(I())), hn::Load(I(), levels.below + i), low);
+        const Ints second = hn::IfThenElse(hn::Gt(high, last), hn::Load(I(), levels.above + i), high);
+        hn::Store(offset_of(hn::Min(first, last), levels, i), I(), place.first + i);
+        hn::Store(offset_of(second, levels, i), I(), place.second + i);
         hn::Store(hn::Sub(at, floor), F(), place.share + i);
     }
 }
@@ -88,27 +64,27 @@ static HWY_INLINE Floats mixed(Floats a, Floats b, float share) {
     return hn::Add(hn::Mul(a, hn::Set(F(), 1.0f - share)), hn::Mul(b, hn::Set(F(), share)));
 }
 
-static HWY_INLINE Floats bilinear(const MipView& mip, const Place& place, int axis, std::size_t channel) {
+static HWY_INLINE Floats bilinear(const std::uint16_t* rgba, const Place& place, int axis,
+                                  std::size_t channel) {
     const std::int32_t left = place.first[axis], right = place.second[axis];
     const std::int32_t top = place.first[axis + 1], bottom = place.second[axis + 1];
     const float x = place.share[axis], y = place.share[axis + 1];
-    const Floats above =
-        mixed(channels(mip.rgba, left + top, channel), channels(mip.rgba, right + top, channel), x);
+    const Floats above = mixed(channels(rgba, left + top, channel), channels(rgba, right + top, channel), x);
     const Floats below =
-        mixed(channels(mip.rgba, left + bottom, channel), channels(mip.rgba, right + bottom, channel), x);
+        mixed(channels(rgba, left + bottom, channel), channels(rgba, right + bottom, channel), x);
     return mixed(above, below, y);
 }
 
 static void average(const TapQuery& query, float rgba[4]) {
-    const Axes axes = axes_of(query);
+    const MipPair& levels = *query.levels;
     HWY_ALIGN float sum[4] = {};
     Place place;
     for (int tap = 0; tap < query.taps; ++tap) {
         const auto number = static_cast<float>(tap);
-        const float u = folded(query.uv[0] + query.step[0] * number, query.edge[0]);
-        const float v = folded(query.uv[1] + query.step[1] * number, query.edge[1]);
+        const float u = folded(query.uv[0] + query.step[0] * number, levels.edge[0]);
+        const float v = folded(query.uv[1] + query.step[1] * number, levels.edge[1]);
         HWY_ALIGN const float uv[4] = {u, v, u, v};
-        find_place(axes, uv, place);
+        find_place(levels, uv, place);
         for (std::size_t c = 0; c < 4; c += hn::Lanes(F())) {
             Floats light = bilinear(query.fine, place, 0, c);
             if (query.blend != 0.0f) light = mixed(light, bilinear(query.coarse, place, 2, c), query.blend);
@@ -126,6 +102,24 @@ HWY_AFTER_NAMESPACE();
 namespace gh::render {
 
 HWY_EXPORT(average);
+
+MipPair mip_pair(const MipView& fine, const MipView& coarse, Edge edge_u, Edge edge_v) {
+    MipPair pair;
+    pair.edge[0] = edge_u;
+    pair.edge[1] = edge_v;
+    for (int i = 0; i < 4; ++i) {
+        const MipView& mip = i < 2 ? fine : coarse;
+        const bool is_v = i % 2 == 1, repeats = pair.edge[i % 2] == Edge::Repeat;
+        const int size = is_v ? mip.height : mip.width;
+        pair.size[i] = static_cast<float>(size);
+        pair.last[i] = size - 1;
+        pair.below[i] = repeats ? size - 1 : 0;
+        pair.above[i] = repeats ? 0 : size - 1;
+        pair.block_step[i] = kBlockSide * kBlockSide * (is_v ? mip.blocks_across : 1);
+        pair.texel_step[i] = is_v ? kBlockSide : 1;
+    }
+    return pair;
+}
 
 void average_taps(const TapQuery& query, float rgba[4]) {
     HWY_DYNAMIC_DISPATCH(average)(query, rgba);

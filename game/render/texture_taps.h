@@ -11,8 +11,7 @@ namespace gh::render {
 
 inline constexpr int kBlockSide = 4;  // texels are stored in blocks of 4x4, row by row, and so are blocks
 
-// One level of a texture: linear light or plain numbers, 65535 is 1. Plain numbers, since this crosses into code
-// compiled for other instruction sets.
+// One level of a texture: linear light or plain numbers, 65535 is 1.
 struct MipView {
     const std::uint16_t* rgba = nullptr;
     int width = 0, height = 0;  // texels, at least 1
@@ -21,13 +20,26 @@ struct MipView {
 
 enum class Edge : std::uint8_t { Repeat, Clamp, Mirror };
 
+// Two levels that are looked up together, as the inner loop wants them: numbers for u and v of the fine one, then u and v of
+// the coarse one. Plain numbers, since this crosses into code compiled for other instruction sets.
+struct MipPair {
+    alignas(16) float size[4]{};
+    alignas(16) std::int32_t last[4]{};
+    alignas(16) std::int32_t below[4]{}, above[4]{};  // texel -1, and the one behind the last
+    alignas(16) std::int32_t block_step[4]{},
+        texel_step[4]{};  // from block to block and within one, in texels
+    Edge edge[2]{};       // what lies outside [0, 1]
+};
+[[nodiscard]] MipPair mip_pair(const MipView& fine, const MipView& coarse, Edge edge_u, Edge edge_v);
+
 struct TapQuery {
-    MipView fine, coarse;
+    const MipPair* levels = nullptr;
+    const std::uint16_t* fine = nullptr;  // as MipView::rgba
+    const std::uint16_t* coarse = nullptr;
     float blend = 0.0f;  // how much of the coarse one, in [0, 1); it is not looked at when 0
     float uv[2]{};       // of the first tap; all taps finite and within +-2e6
     float step[2]{};     // from tap to tap
     int taps = 1;        // at least 1
-    Edge edge[2]{};      // what lies outside [0, 1]
 };
 
 // The mean of the taps, each bilinear in both levels.

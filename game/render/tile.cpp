@@ -1,5 +1,6 @@
 #include "render/tile.h"
 
+#include "base/contracts.h"
 #include "base/det_math.h"
 #include "render/sky.h"
 #include "world/layers.h"
@@ -54,11 +55,15 @@ void TileTracer::trace(int tile_x, int tile_y, std::vector<PixelLight>& pixels, 
     }
 }
 
-void TileTracer::look_at(int tile_x, int tile_y, const std::vector<std::uint16_t>& which) {
+void TileTracer::look_at(int tile_x, int tile_y, const std::vector<std::uint16_t>& which,
+                         const std::vector<rc::Hit>& hits) {
+    EXPECTS(which.size() == hits.size());
     begin(tile_x, tile_y);
     now_.clear();
     for (const std::uint16_t pixel : which) add_primary_ray(pixel);
+    hits_ = hits;
     FrameStats stats;
+    shade_generation(stats);
     trace_all(stats);
     for (const std::uint16_t pixel : which)
         frame_.guide->clean.pixels[picture_index(pixel)] = pixels_[pixel].clean;
@@ -78,12 +83,8 @@ void TileTracer::trace_sample(FrameStats& stats) {
 // The rays of now_ and all that come of them.
 void TileTracer::trace_all(FrameStats& stats) {
     while (!now_.empty()) {
-        trace_generation(stats);
-        trace_shadows(stats);
-        now_.swap(next_);
-        next_.clear();
-        if (frame_.guide != nullptr)
-            std::erase_if(now_, [](const PathRay& path) { return !path.is_leading; });
+        trace_generation();
+        shade_generation(stats);
     }
 }
 
@@ -112,11 +113,15 @@ glm::vec2 TileTracer::pixel_point(int x, int y) const {
     return glm::vec2(static_cast<float>(x), static_cast<float>(y)) + at;
 }
 
-void TileTracer::trace_generation(FrameStats& stats) {
+void TileTracer::trace_generation() {
     rays_.clear();
     for (const PathRay& path : now_) rays_.push_back(path.ray);
     hits_.resize(rays_.size());
     rc::closest_hits(*frame_.view.snapshot.scene, rays_, world::Light, hits_);
+}
+
+// What rays of now_ met, and the shadows there; now_ is then what came of them.
+void TileTracer::shade_generation(FrameStats& stats) {
     for (std::size_t i = 0; i < now_.size(); ++i) {
         if (hits_[i].is_miss()) {
             shade_miss(now_[i]);
@@ -124,6 +129,10 @@ void TileTracer::trace_generation(FrameStats& stats) {
             shade(now_[i], hits_[i], stats);
         }
     }
+    trace_shadows(stats);
+    now_.swap(next_);
+    next_.clear();
+    if (frame_.guide != nullptr) std::erase_if(now_, [](const PathRay& path) { return !path.is_leading; });
 }
 
 void TileTracer::trace_shadows(FrameStats& stats) {
@@ -149,6 +158,7 @@ void TileTracer::shade_miss(const PathRay& path) {
 void TileTracer::shade(PathRay path, const rc::Hit& hit, FrameStats& stats) {
     path.cone_width += path.cone_angle * hit.t;
     path.length += hit.t;
+    if (frame_.guide != nullptr && note_plain(path, hit)) return;
     const ShadingPoint at =
         shading_point(frame_.view, path.ray, hit, path.cone_width * frame_.settings.texture_blur,
                       path.is_leading ? frame_.settings.texture_taps

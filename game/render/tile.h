@@ -6,6 +6,7 @@
 #include "render/film.h"
 #include "render/frame_light.h"
 #include "render/gloss.h"
+#include "render/guide_point.h"
 #include "render/lamp_looks.h"
 #include "render/lattice.h"
 #include "render/main_surfaces.h"
@@ -47,8 +48,9 @@ class TileTracer {
     // Fills the tile's pixels of `pixels` (the whole picture's).
     void trace(int tile_x, int tile_y, std::vector<PixelLight>& pixels, FrameStats& stats);
 
-    // Fills frame.guide for those pixels of the tile, counted along its rows.
-    void look_at(int tile_x, int tile_y, const std::vector<std::uint16_t>& which);
+    // Fills frame.guide for those pixels of the tile, counted along its rows, whose rays meet `hits`.
+    void look_at(int tile_x, int tile_y, const std::vector<std::uint16_t>& which,
+                 const std::vector<rc::Hit>& hits);
 
   private:
     using TileLattice = Lattice<kTileSide>;
@@ -83,7 +85,8 @@ class TileTracer {
     void add_primary_ray(std::uint16_t pixel);
     [[nodiscard]] glm::vec2 pixel_point(int x, int y) const;
     void trace_all(FrameStats& stats);
-    void trace_generation(FrameStats& stats);
+    void trace_generation();
+    void shade_generation(FrameStats& stats);
     void trace_shadows(FrameStats& stats);
     void shade_miss(const PathRay& path);
     void shade(PathRay path, const rc::Hit& hit, FrameStats& stats);
@@ -122,7 +125,8 @@ class TileTracer {
     void visit_pass(int pass, Blend blend);
 
     void note_surface(const PathRay& path, const ShadingPoint& at);
-    void note_thing(const PathRay& path, const ShadingPoint& at, const rc::Hit& hit) const;
+    [[nodiscard]] bool note_plain(const PathRay& path, const rc::Hit& hit);
+    void note_thing(const PathRay& path, GuidePoint point) const;
     [[nodiscard]] std::size_t picture_index(std::uint16_t pixel) const;
     void add_main_light();
     [[nodiscard]] float light_so_far(std::uint16_t surface) const;
@@ -153,6 +157,7 @@ class TileTracer {
     MainSurfaces main_;  // of this sample
     std::vector<std::uint16_t> not_blended_;
     TileLattice across_, down_;
+    GuideTriangles triangles_;
 };
 
 }  // namespace gh::render

@@ -25,16 +25,28 @@ void TileTracer::note_surface(const PathRay& path, const ShadingPoint& at) {
     light.size = here.size;
 }
 
+// False, and nothing done, for what is not plain. As shade() has it, but for what a guide does without.
+bool TileTracer::note_plain(const PathRay& path, const rc::Hit& hit) {
+    const GuideTriangle& triangle = triangles_.of(frame_.view, hit);
+    if (!triangle.is_plain) return false;
+    glm::vec3 emission;
+    const GuidePoint point =
+        plain_point(frame_.view, triangle, path.ray, hit, path.cone_width * frame_.settings.texture_blur,
+                    frame_.settings.texture_taps, emission);
+    if (frame_.light.emission_on[hit.instance] != 0) {
+        const bool is_bulb = frame_.view.prepared.parts[hit.instance].lamp != world::kNoIndex;
+        glm::vec3 weight = path.weight * (is_bulb ? path.bulb_share : 1.0f);
+        if (const world::Material* glass = path.media.top(); glass != nullptr)
+            weight *= absorbed(*glass, glm::distance(path.from, point.position));
+        pixels_[path.pixel].clean += weight * emission;
+    }
+    note_thing(path, point);
+    return true;
+}
+
 // What is seen in mirrors and through glass is unfolded: it lies straight ahead, at the whole length of the way.
-void TileTracer::note_thing(const PathRay& path, const ShadingPoint& at, const rc::Hit& hit) const {
-    GuidePoint point{.position = at.surface.position,
-                     .previous = at.surface.position,
-                     .geometric = at.geometric,
-                     .albedo = guide_albedo(at.base_color, at.metallic),
-                     .part = at.part};
-    if (path.chain == 0) {
-        point.previous = previous_position(frame_.view, hit, point.position);
-    } else {
+void TileTracer::note_thing(const PathRay& path, GuidePoint point) const {
+    if (path.chain != 0) {
         for (std::size_t i = path.mirrors; i-- > 0;) {
             const glm::vec3& mirror = path.mirror_normals[i];
             point.geometric -= mirror * (2.0f * glm::dot(point.geometric, mirror));
@@ -42,7 +54,7 @@ void TileTracer::note_thing(const PathRay& path, const ShadingPoint& at, const r
         const int x = x_ + path.pixel % columns_, y = y_ + path.pixel / columns_;
         const rc::Ray straight = frame_.lens.ray(pixel_point(x, y));
         point.position = point.previous = straight.origin + straight.direction * path.length;
-        point.part = hash_u32(path.chain, at.part) & ~1u;  // never kSky
+        point.part = hash_u32(path.chain, point.part) & ~1u;  // never kSky
     }
     note(point, picture_index(path.pixel), *frame_.guide);
 }

@@ -67,7 +67,11 @@ void TileTracer::shade_opaque(const PathRay& path, const ShadingPoint& at, const
     surface.path.is_leading = path.is_leading && !is_mirror;
     if (share_of(surface.path) == Share::Neighbours) {
         if (frame_.guide != nullptr) {
-            note_thing(path, at, hit);
+            note_thing(path, {.position = at.surface.position,
+                              .previous = previous_position(frame_.view, hit, at.surface.position),
+                              .geometric = at.geometric,
+                              .albedo = guide_albedo(at.base_color, at.metallic),
+                              .part = at.part});
             return;
         }
         note_surface(path, at);

@@ -40,15 +40,15 @@ int folded(int texel, int size, render::Edge edge) {
 }
 
 // The infinite plane that `edge` makes of the picture, bilinear between the middles of its texels.
-double expected(const Picture& picture, const render::TapQuery& query, double u, double v, int channel) {
+double expected(const Picture& picture, const render::MipPair& levels, double u, double v, int channel) {
     const double x = u * picture.width - 0.5, y = v * picture.height - 0.5;
     const int left = static_cast<int>(std::floor(x)), top = static_cast<int>(std::floor(y));
     double sum = 0.0;
     for (int j = 0; j < 2; ++j) {
         for (int i = 0; i < 2; ++i) {
             const double share = (1.0 - std::abs(x - (left + i))) * (1.0 - std::abs(y - (top + j)));
-            sum += share * picture.at(folded(left + i, picture.width, query.edge[0]),
-                                      folded(top + j, picture.height, query.edge[1]), channel);
+            sum += share * picture.at(folded(left + i, picture.width, levels.edge[0]),
+                                      folded(top + j, picture.height, levels.edge[1]), channel);
         }
     }
     return sum;
@@ -61,13 +61,15 @@ TEST(TextureTaps, AreTheFormulaOnEveryInstructionSetInEveryBit) {
         const Picture fine(random, 1 + static_cast<int>(random.below(21)),
                            1 + static_cast<int>(random.below(21)));
         const Picture coarse(random, std::max(1, fine.width / 2), std::max(1, fine.height / 2));
-        render::TapQuery query{.fine = fine.view(),
-                               .coarse = coarse.view(),
+        const render::MipPair levels =
+            render::mip_pair(fine.view(), coarse.view(), kEdges[random.below(3)], kEdges[random.below(3)]);
+        render::TapQuery query{.levels = &levels,
+                               .fine = fine.rgba.data(),
+                               .coarse = coarse.rgba.data(),
                                .blend = round % 4 == 0 ? 0.0f : random.unit(),
                                .uv = {random.unit() * 6.0f - 3.0f, random.unit() * 6.0f - 3.0f},
                                .step = {random.unit() - 0.5f, random.unit() - 0.5f},
-                               .taps = 1 + static_cast<int>(random.below(8)),
-                               .edge = {kEdges[random.below(3)], kEdges[random.below(3)]}};
+                               .taps = 1 + static_cast<int>(random.below(8))};
         std::array<float, 4> first{};
         bool has_first = false;
         for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1) {
@@ -87,8 +89,8 @@ TEST(TextureTaps, AreTheFormulaOnEveryInstructionSetInEveryBit) {
                 const double u = double{query.uv[0]} + double{query.step[0]} * tap;
                 const double v = double{query.uv[1]} + double{query.step[1]} * tap;
                 const double blend = double{query.blend};
-                sum +=
-                    (1.0 - blend) * expected(fine, query, u, v, c) + blend * expected(coarse, query, u, v, c);
+                sum += (1.0 - blend) * expected(fine, levels, u, v, c) +
+                       blend * expected(coarse, levels, u, v, c);
             }
             // A coordinate of up to 7 is off by 2^-22, that is 21 texels times as much, and a texel may be 1 more than
             // the next; a dozen roundings besides.

@@ -1,0 +1,23 @@
+// filter/temporal_picture_kernel.h - plain data between temporal_upscale.cpp and temporal_picture.cpp.
+#pragma once
+
+#include <cstddef>
+
+namespace gh::filter {
+
+// Adds a row of a picture up with those before it.
+struct SmoothRow {
+    int y, width;
+    const float* motion[2];       // of the row, pixels
+    const float* lighted[3];      // of the row; what lies left, right, above and below repeats the border
+    std::ptrdiff_t above, below;  // from there to the rows around
+    bool has_past;
+    int then_width, then_height;
+    const float* then[3];  // the pictures before, at pixel (0, 0); two pixels around repeat the border
+    std::ptrdiff_t then_stride;
+    float* next[3];  // of the row
+    float* out;      // the same, red, green and blue side by side
+};
+void smooth_picture(const SmoothRow& row);
+
+}  // namespace gh::filter
