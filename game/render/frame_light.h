@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/ambient.h"
-#include "render/lamp.h"
+#include "render/lamp_bounds.h"
 #include "render/scene_view.h"
 
 #include <glm/vec3.hpp>

@@ -20,7 +20,6 @@ using world::LampShape;
 
 constexpr float kFadeShare = 1.0f / 6.0f;       // of the range
 constexpr float kBulbMargin = 1.0f + 0x1p-10f;  // a vertex that lies on the fitted ball must not shadow it
-constexpr float kSmallestAlpha = 0.0064f;       // of highlights of lamps without an extent
 
 float range_fade(const Lamp& lamp, float distance) {
     if (!(lamp.range < rc::kInfinity)) return 1.0f;
@@ -188,49 +187,6 @@ float lamp_bound(const Lamp& lamp, float distance) {
         return brightest * fade * std::min(kPi, rect_area(lamp) / (nearest * nearest));
     }
     return brightest * fade / (distance * distance);
-}
-
-LampReach lamp_reach(const Lamp& lamp) {
-    const float brightest = std::max({lamp.intensity.x, lamp.intensity.y, lamp.intensity.z});
-    switch (lamp.shape) {
-        case LampShape::Sun:
-            return {lamp.position, rc::kInfinity, brightest};
-        case LampShape::Sphere:
-            return {lamp.position, lamp.radius, brightest * kPi * lamp.radius * lamp.radius};
-        case LampShape::Rect:
-            return {lamp.position, glm::length(lamp.half_u) + glm::length(lamp.half_v),
-                    brightest * rect_area(lamp)};
-        default:
-            return {lamp.position, 0.0f, brightest};
-    }
-}
-
-IrradianceBound irradiance_bound(const LampReach& reach, const glm::vec3& position, const glm::vec3& normal) {
-    const glm::vec3 offset = reach.position - position;
-    const float distance2 = glm::dot(offset, offset);
-    const float height = glm::dot(normal, offset) + reach.extent;
-    if (!(height > 0.0f)) return {};
-    // From four extents on the nearest point is at least three quarters as far as the middle.
-    constexpr float kFar2 = 16.0f, kNearest2 = 0.5625f;
-    if (!(distance2 > kFar2 * reach.extent * reach.extent)) return {rc::kInfinity, rc::kInfinity};
-    const float any = reach.strength / (kNearest2 * distance2);
-    return {any * std::min(1.0f, height / (0.75f * std::sqrt(distance2))), any};
-}
-
-float highlight_bound(const LampReach& reach, float bound, const glm::vec3& position, const Gloss& gloss) {
-    const glm::vec3 offset = reach.position - position;
-    const float distance = glm::length(offset);
-    if (!(bound < rc::kInfinity) || !(distance > 0.0f)) return rc::kInfinity;
-    const glm::vec3 to_lamp = offset / distance;
-    const float cos_eye_lamp = glm::dot(gloss.to_eye, to_lamp);
-    const float cos_eye = std::max(glm::dot(gloss.normal, gloss.to_eye), 0.05f);
-    const float along = cos_eye + glm::dot(gloss.normal, to_lamp);
-    const float cos_half2 = std::min(1.0f, along * along / std::max(2.0f + 2.0f * cos_eye_lamp, 1e-6f));
-    const float wide = std::max(gloss.alpha, kSmallestAlpha) + reach.extent / distance;
-    const float spread = 1.0f + cos_half2 * (wide * wide - 1.0f);
-    const float lobe = wide * wide / (kPi * spread * spread);
-    const float narrow = std::max(gloss.alpha, kSmallestAlpha);
-    return bound * gloss.f90 * lobe * (wide * wide) / (narrow * narrow) / (4.0f * cos_eye);
 }
 
 bool is_area(const Lamp& lamp) {

@@ -34,22 +34,6 @@ struct BulbClearance {
 // An upper bound of the brightest channel of lamp_irradiance for any normal, at any point at least `distance` away.
 [[nodiscard]] float lamp_bound(const world::Lamp& lamp, float distance);
 
-// The most a lamp can do, to leave it out before anything is worked out.
-struct LampReach {
-    glm::vec3 position{0.0f};
-    float extent = 0.0f;    // of the lamp around it, metres; infinite for a sun
-    float strength = 0.0f;  // brightest channel's irradiance times distance squared
-};
-[[nodiscard]] LampReach lamp_reach(const world::Lamp& lamp);
-
-// An upper bound of the brightest channel of lamp_irradiance, for this normal and for any.
-struct IrradianceBound {
-    float facing = 0.0f;
-    float any = 0.0f;  // 0 where the lamp is wholly below the horizon
-};
-[[nodiscard]] IrradianceBound irradiance_bound(const LampReach& reach, const glm::vec3& position,
-                                               const glm::vec3& normal);
-
 // Whether the lamp has an extent, that is, soft shadows.
 [[nodiscard]] bool is_area(const world::Lamp& lamp);
 
@@ -62,6 +46,8 @@ struct IrradianceBound {
 // The way from `point` to `target` on the lamp, up to its bulb. Nothing when the point is inside the bulb: it is lit.
 [[nodiscard]] std::optional<rc::Ray> shadow_ray(const world::Lamp& lamp, const BulbClearance& bulb,
                                                 const rc::SurfacePoint& point, const glm::vec3& target);
+
+inline constexpr float kSmallestAlpha = 0.0064f;  // of highlights of lamps without an extent
 
 // A glossy surface as seen from one side.
 struct Gloss {
@@ -76,10 +62,5 @@ struct Gloss {
 // a widened lobe (Karis 2013).
 [[nodiscard]] glm::vec3 lamp_highlight(const world::Lamp& lamp, const glm::vec3& position,
                                        const Gloss& gloss);
-
-// About the most that lamp_highlight can give there, by the lobe at the lamp's middle, widened by its extent; `bound` is
-// irradiance_bound's for any normal.
-[[nodiscard]] float highlight_bound(const LampReach& reach, float bound, const glm::vec3& position,
-                                    const Gloss& gloss);
 
 }  // namespace gh::render

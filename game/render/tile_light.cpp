@@ -2,6 +2,7 @@
 // around.
 #include "base/det_math.h"
 #include "render/colour.h"
+#include "render/lamp_bounds.h"
 #include "render/light_math.h"
 #include "render/tile.h"
 
