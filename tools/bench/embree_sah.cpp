@@ -104,7 +104,8 @@ std::vector<RTCBuildPrimitive> primitives_of(const BenchScene& scene, Bounds& al
 }
 
 double cost_of_leaf(const Node& leaf, unsigned block) {
-    return static_cast<double>((leaf.triangles + block - 1) / block);
+    const std::size_t blocks = (leaf.triangles + block - 1) / block;
+    return static_cast<double>(blocks);
 }
 
 // Of all below a node: 1 a node, 1 a block of triangles, by half areas.
