@@ -59,8 +59,8 @@ Ray ray_between(const glm::vec3& from, const glm::vec3& to) {
 
 std::optional<Hit> closest_hit(const Scene& scene, const Ray& ray, LayerMask layers) {
     expect_good(ray);
-    std::optional<Hit> hit(
-        std::in_place);  // written where it is returned: a copy would wait for the kernel's stores
+    // Written where it is returned: a copy would wait for the kernel's stores.
+    std::optional<Hit> hit(std::in_place);
     active_kernels().closest(scene.data().view, abi(&ray), 1, layers, abi(&*hit), nullptr);
     if (hit->is_miss()) hit.reset();
     return hit;
