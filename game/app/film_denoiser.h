@@ -10,9 +10,6 @@
 
 namespace gh::app {
 
-void gbuffer_from(const render::FilmPlanes& planes, filter::GBuffer& out);
-void light_from(const render::FilmPlanes& planes, filter::Light& out);
-
 class FilmDenoiser {
   public:
     // The next frame is the first: after a cut.

@@ -3,6 +3,8 @@
 #include "filter/albedo_kernel.h"
 #include "filter/rows.h"
 
+#include <array>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "filter/albedo.cpp"
 #include <hwy/foreach_target.h>
@@ -109,24 +111,32 @@ void colour_from(const Luma3& luma, const Jobs& jobs, Plane3& out) {
 }
 
 void demodulate(const Plane3& light, const Plane3& albedo, const Jobs& jobs, Plane3& out) {
-    if (albedo.empty()) {
-        if (&out != &light) out = light;
-        return;
-    }
+    if (albedo.empty() && &out != &light) out = light;
+    run_rows(light.height(), jobs, demodulate_rows(light, albedo, out));
+}
+
+RowWork demodulate_rows(const Plane3& light, const Plane3& albedo, Plane3& out) {
+    EXPECTS(!albedo.empty() || &out == &light);
+    if (albedo.empty()) return {};
     EXPECTS(light.width() == albedo.width() && light.height() == albedo.height());
     out.fit(light.width(), light.height());
-    run_rows(light.height(), jobs, [&](int y) {
+    return [&light, &albedo, &out](int y) {
         DemodulateRow row{};
         point_to(row.light, light, y);
         point_to(row.albedo, albedo, y);
         row.width = light.width();
         point_to(row.out, out, y);
         HWY_DYNAMIC_DISPATCH(demodulate_row)(row);
-    });
+    };
 }
 
 void remodulate(const Parts& parts, const Plane3& albedo, const Jobs& jobs, Plane3& out) {
-    const Plane3* lights[] = {parts.direct, parts.indirect, parts.specular, parts.clean};
+    const RowWork work = remodulate_rows(parts, albedo, out);
+    run_rows(out.height(), jobs, work);
+}
+
+RowWork remodulate_rows(const Parts& parts, const Plane3& albedo, Plane3& out) {
+    std::array<const Plane3*, 4> lights = {parts.direct, parts.indirect, parts.specular, parts.clean};
     const Plane3* size = albedo.empty() ? nullptr : &albedo;
     for (const Plane3*& light : lights) {
         if (light != nullptr && light->empty()) light = nullptr;
@@ -137,17 +147,17 @@ void remodulate(const Parts& parts, const Plane3& albedo, const Jobs& jobs, Plan
         EXPECTS(light == nullptr || (light->width() == width && light->height() == height));
     }
     out.fit(width, height);
-    run_rows(height, jobs, [&](int y) {
+    return [lights, width, gloss = parts.gloss, &albedo, &out](int y) {
         RemodulateRow row{};
         for (std::size_t i = 0; i < 4; ++i) {
             if (lights[i] != nullptr) point_to(row.parts[i], *lights[i], y);
         }
         if (!albedo.empty()) point_to(row.albedo, albedo, y);
-        if (parts.gloss != nullptr && !parts.gloss->empty()) point_to(row.gloss, *parts.gloss, y);
+        if (gloss != nullptr && !gloss->empty()) point_to(row.gloss, *gloss, y);
         row.width = width;
         point_to(row.out, out, y);
         HWY_DYNAMIC_DISPATCH(remodulate_row)(row);
-    });
+    };
 }
 
 }  // namespace gh::filter

@@ -9,6 +9,7 @@
 
 #include "base/jobs.h"
 #include "filter/plane.h"
+#include "filter/rows.h"
 
 namespace gh::filter {
 
@@ -20,6 +21,8 @@ void colour_from(const Luma3& luma, const Jobs& jobs, Plane3& out);
 
 // light / albedo. `out` is made to fit and may be `light` itself. An empty albedo is 1.
 void demodulate(const Plane3& light, const Plane3& albedo, const Jobs& jobs, Plane3& out);
+// Nothing where the albedo is empty: then `out` must be `light`.
+[[nodiscard]] RowWork demodulate_rows(const Plane3& light, const Plane3& albedo, Plane3& out);
 
 // What is put together again: (direct + indirect) * albedo + specular * gloss + clean. Any of the lights may be null or
 // empty: black. An empty albedo or gloss is 1.
@@ -32,5 +35,6 @@ struct Parts {
 };
 // `out` has the albedo's size, or that of the first light there is.
 void remodulate(const Parts& parts, const Plane3& albedo, const Jobs& jobs, Plane3& out);
+[[nodiscard]] RowWork remodulate_rows(const Parts& parts, const Plane3& albedo, Plane3& out);
 
 }  // namespace gh::filter

@@ -10,6 +10,7 @@
 #include <hwy/foreach_target.h>
 // foreach_target must come before what is compiled once per target.
 #include "filter/simd-inl.h"
+#include "filter/taps-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gh::filter::HWY_NAMESPACE {
@@ -86,6 +87,33 @@ static void settle_row(const SettleRow& row) {
     }
 }
 
+// Which of the four taps hardly matters, for gradients are smooth over many pixels: the weightiest.
+static HWY_INLINE Floats carried(const CarryRow& row, std::size_t x) {
+    const std::ptrdiff_t step[4] = {0, 1, row.then_stride, row.then_stride + 1};
+    const Floats zero = hn::Zero(F());
+    Lanes known = hn::Gt(zero, zero);
+    for (const float* weight : row.weight) known = hn::Or(known, hn::Gt(load(weight + x), zero));
+    if (hn::AllFalse(F(), known)) return zero;
+    const TapPlace place = place_of(hn::LoadU(I(), row.first + x), known);
+    Floats best = zero, chosen = zero;
+    for (int tap = 0; tap < 4; ++tap) {
+        const Floats weight = load(row.weight[tap] + x);
+        const Lanes better = hn::Gt(weight, best);
+        if (hn::AllFalse(F(), better)) continue;
+        chosen = choose(better, read_tap(row.then, place, step[tap]), chosen);
+        best = choose(better, weight, best);
+    }
+    return chosen;
+}
+
+static void carry_row(const CarryRow& row) {
+    const Floats one = splat(1.0f);
+    for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) {
+        const Floats change = hn::Mul(carried(row, x), splat(row.sharpness));
+        store(choose(hn::Lt(change, one), change, one), row.change + x);
+    }
+}
+
 }  // namespace gh::filter::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -95,6 +123,7 @@ namespace gh::filter {
 HWY_EXPORT(change_row);
 HWY_EXPORT(column_sum_row);
 HWY_EXPORT(settle_row);
+HWY_EXPORT(carry_row);
 
 void lamp_change(const Plane& now, const Plane& then, const Jobs& jobs, Plane& change) {
     EXPECTS(now.width() == then.width() && now.height() == then.height());
@@ -157,31 +186,35 @@ void gradients(const Reshaded& samples, int width, int height, const Jobs& jobs,
 }
 
 void carry_change(const Plane& then, const Taps& taps, float sharpness, const Jobs& jobs, Plane& change) {
+    run_rows(taps.first.height(), jobs, carry_rows(then, taps, sharpness, change));
+}
+
+RowWork carry_rows(const Plane& then, const Taps& taps, float sharpness, Plane& change) {
     const int width = taps.first.width(), height = taps.first.height();
     change.fit(width, height);
-    const float* whole = then.row(0);
-    run_rows(height, jobs, [&](int y) {
-        const std::int32_t* first = taps.first.row(y);
-        const float* weight[4];
-        for (std::size_t tap = 0; tap < 4; ++tap) weight[tap] = taps.weight[tap].row(y);
-        float* row = change.row(y);
-        for (int x = 0; x < width; ++x) {
-            // Which of the four hardly matters: gradients are smooth over many pixels.
-            std::size_t tap = 0;
-            for (std::size_t i = 1; i < 4; ++i) tap = weight[i][x] > weight[tap][x] ? i : tap;
-            const std::ptrdiff_t step =
-                static_cast<std::ptrdiff_t>(tap / 2) * then.stride() + static_cast<std::ptrdiff_t>(tap % 2);
-            row[x] = weight[tap][x] > 0.0f ? std::min(1.0f, sharpness * whole[first[x] + step]) : 0.0f;
-        }
-    });
+    return [width, sharpness, &then, &taps, &change](int y) {
+        CarryRow row{};
+        row.then = then.row(0);
+        row.then_stride = then.stride();
+        row.first = taps.first.row(y);
+        for (std::size_t tap = 0; tap < 4; ++tap) row.weight[tap] = taps.weight[tap].row(y);
+        row.sharpness = sharpness;
+        row.width = width;
+        row.change = change.row(y);
+        HWY_DYNAMIC_DISPATCH(carry_row)(row);
+    };
 }
 
 void settle(const SettleSettings& settings, const Jobs& jobs, Accumulated& signal, Plane scratch[2]) {
-    EXPECTS(settings.sigmas > 0.0f && settings.fast_longest >= 1.0f);
+    run_rows(signal.light.height(), jobs, settle_sum_rows(signal, scratch));
+    run_rows(signal.light.height(), jobs, settle_rows(settings, scratch, signal));
+}
+
+RowWork settle_sum_rows(const Accumulated& signal, Plane scratch[2]) {
     const int width = signal.light.width(), height = signal.light.height();
     scratch[0].fit(width, height);
     scratch[1].fit(width, height);
-    run_rows(height, jobs, [&](int y) {
+    return [width, height, scratch, &signal](int y) {
         ColumnSumRow row{};
         for (int i = 0; i < 5; ++i) {
             const int line = std::clamp(y + i - 2, 0, height - 1);
@@ -193,14 +226,18 @@ void settle(const SettleSettings& settings, const Jobs& jobs, Accumulated& signa
         row.difference = scratch[0].row(y);
         row.variance = scratch[1].row(y);
         HWY_DYNAMIC_DISPATCH(column_sum_row)(row);
-    });
+    };
+}
+
+RowWork settle_rows(const SettleSettings& settings, Plane scratch[2], Accumulated& signal) {
+    EXPECTS(settings.sigmas > 0.0f && settings.fast_longest >= 1.0f);
     // An exponential mean of share a = 1/n keeps a / (2 - a) of the variance of its samples; 25 of them are compared.
     const float noise_share = 1.0f / ((2.0f * settings.fast_longest - 1.0f) * 25.0f * 25.0f);
-    run_rows(height, jobs, [&](int y) {
+    return [settings, noise_share, scratch, &signal](int y) {
         SettleRow row{};
         row.difference = scratch[0].row(y);
         row.variance = scratch[1].row(y);
-        row.width = width;
+        row.width = signal.light.width();
         row.least_length = settings.fast_longest;
         row.noise_share = noise_share;
         row.sigmas = settings.sigmas;
@@ -208,7 +245,7 @@ void settle(const SettleSettings& settings, const Jobs& jobs, Accumulated& signa
         row.square = signal.square.row(y);
         row.length = signal.length.row(y);
         HWY_DYNAMIC_DISPATCH(settle_row)(row);
-    });
+    };
 }
 
 }  // namespace gh::filter

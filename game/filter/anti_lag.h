@@ -42,6 +42,7 @@ void gradients(const Reshaded& samples, int width, int height, const Jobs& jobs,
 // `change` of each pixel is what `then`, of the last frame's size, says where it was, times `sharpness`, at most 1; 0 where
 // it was nowhere: there is no past to be forgotten.
 void carry_change(const Plane& then, const Taps& taps, float sharpness, const Jobs& jobs, Plane& change);
+[[nodiscard]] RowWork carry_rows(const Plane& then, const Taps& taps, float sharpness, Plane& change);
 
 struct SettleSettings {
     float sigmas = 2.0f;        // standard errors of the difference that are put down to chance
@@ -50,5 +51,9 @@ struct SettleSettings {
 
 // Puts `signal` right in place. `scratch` is any two planes to be used meanwhile.
 void settle(const SettleSettings& settings, const Jobs& jobs, Accumulated& signal, Plane scratch[2]);
+// Its two halves, of which the first asks rows up to kSettleReach away. The second writes where those read.
+inline constexpr int kSettleReach = 2;
+[[nodiscard]] RowWork settle_sum_rows(const Accumulated& signal, Plane scratch[2]);
+[[nodiscard]] RowWork settle_rows(const SettleSettings& settings, Plane scratch[2], Accumulated& signal);
 
 }  // namespace gh::filter

@@ -1,6 +1,9 @@
 // filter/anti_lag_kernel.h - plain data between anti_lag.cpp and its kernels.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 namespace gh::filter {
 
 struct ChangeRow {
@@ -24,6 +27,17 @@ struct SettleRow {
     float sigmas;
     float* light[3];  // red, luminance, blue
     float *square, *length;
+};
+
+// Change in a row of pixels from where each was, taps as reproject() has found them.
+struct CarryRow {
+    const float* then;  // of row 0
+    std::ptrdiff_t then_stride;
+    const std::int32_t* first;
+    const float* weight[4];
+    float sharpness;
+    int width;
+    float* change;
 };
 
 }  // namespace gh::filter

@@ -18,6 +18,7 @@
 #include "base/jobs.h"
 #include "filter/guides.h"
 #include "filter/plane.h"
+#include "filter/rows.h"
 
 #include <span>
 
@@ -66,8 +67,11 @@ const Signal& atrous(const Guides& guides, const SignalView& in, const AtrousSet
 struct Smoothing {
     SignalView in;
     AtrousSettings settings;
-    Signal* scratch;  // two
+    Signal* scratch;              // two
+    bool leaves_variance = true;  // otherwise the result's is not to be relied on
 };
 void atrous(const Guides& guides, std::span<const Smoothing> signals, const Jobs& jobs);
+// The same as passes after those that make guides and signals. `signals` must live until they have run.
+void add_atrous(const Guides& guides, std::span<const Smoothing> signals, RowPasses& passes);
 
 }  // namespace gh::filter

@@ -1,4 +1,4 @@
-// filter/atrous_kernel.h - plain data between atrous.cpp and its kernel.
+// filter/atrous_kernel.h - what goes between atrous.cpp and its kernel.
 #pragma once
 
 #include "filter/guides.h"
@@ -8,18 +8,28 @@
 
 namespace gh::filter {
 
-struct AtrousRow {
-    GuideRows guides;
+inline constexpr int kMostTogether = 4;
+
+struct AtrousSignal {
     const float* light[3];  // red, luminance, blue
     const float* variance;
     const float* stiffness;     // may be null
     const std::uint32_t* part;  // may be null
     float* out_light[3];
-    float* out_variance;
+    float* out_variance;  // null: nobody asks
+    float luminance_sigmas;
+};
+
+// A row of all signals that are smoothed over the same neighbours.
+struct AtrousRow {
+    GuideRows guides;
+    AtrousSignal signals[kMostTogether];
+    int count;
     int radius, step;
     int width, height, y;
     std::ptrdiff_t stride;  // of every plane
-    float luminance_sigmas;
 };
+
+void atrous_row(const AtrousRow& row);
 
 }  // namespace gh::filter

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 #include <utility>
 
 namespace gh::filter {
@@ -21,98 +20,133 @@ float stiffness_of(float roughness) {
     return pixels > 1e-3f ? 0.25f / pixels : 250.0f;  // NaN stays sharp
 }
 
-void make_stiffness(const Plane& roughness, const Jobs& jobs, Plane& stiffness) {
+RowWork stiffness_rows(const Plane& roughness, Plane& stiffness) {
     stiffness.fit(roughness.width(), roughness.height());
-    run_rows(roughness.height(), jobs, [&](int y) {
+    return [&roughness, &stiffness](int y) {
         const float* from = roughness.row(y);
         float* to = stiffness.row(y);
         for (int x = 0; x < roughness.width(); ++x) to[x] = stiffness_of(from[x]);
-    });
+    };
 }
 
 }  // namespace
 
 struct Denoiser::Step {
     const GBuffer& surfaces;
+    const Light& light;
     const DenoiseSettings& settings;
-    const Jobs& jobs;
+    RowPasses& passes;
 };
 
 void Denoiser::forget() {
     *this = Denoiser();
 }
 
-void Denoiser::accumulate_track(const Plane3& light, const Plane& change, const Plane3& albedo,
-                                const Step& step, Track& track) {
+void Denoiser::add_samples(const Plane3& light, const Plane& told, const Plane3& albedo, const Step& step,
+                           Track& track) {
     Plane3& samples = track.scratch[0].light;
-    mend(light, step.settings.mend, step.jobs, samples);
-    demodulate(samples, albedo, step.jobs, samples);
+    step.passes.add(mend_rows(light, step.settings.mend, samples));
+    step.passes.add(demodulate_rows(samples, albedo, samples));
     std::swap(track.before, track.mean);
-    accumulate(samples, change, {taps_, track.before}, step.settings.temporal, step.jobs, track.mean);
-    if (step.settings.settles) {
-        settle({step.settings.settle_sigmas, step.settings.temporal.fast_longest}, step.jobs, track.mean,
-               sums_);
-    }
-    estimate_variance(track.mean, step.jobs, track.variance);
+    const Plane& change = asks_change(step) ? change_ : told;
+    step.passes.add(
+        accumulate_rows(samples, change, {taps_, track.before}, step.settings.temporal, track.mean));
     track.smooth = &track.mean.light;
 }
 
+bool Denoiser::asks_change(const Step& step) const {
+    const Plane& then = step.light.change_then;
+    return !then.empty() && then.width() == seen_.part.width() && then.height() == seen_.part.height();
+}
+
+// Where each pixel was, for the lights whose samples are added next.
+void Denoiser::find_past(Motion motion, const Step& step) {
+    step.passes.add(reproject_rows(step.surfaces, guides_, seen_, motion, taps_));
+    if (asks_change(step))
+        step.passes.add(carry_rows(step.light.change_then, taps_, step.settings.change_sharpness, change_));
+}
+
+// What light each pixel has by now, from its samples and its past.
+void Denoiser::accumulate_tracks(const Step& step) {
+    const GBuffer& surfaces = step.surfaces;
+    const Light& light = step.light;
+    const bool has_direct = !light.direct.empty(), has_indirect = !light.indirect.empty();
+    step.passes.begin(kMendReach);
+    step.passes.add(guide_rows(surfaces, guides_));
+    if (has_direct || has_indirect) find_past(Motion::OfSurface, step);
+    if (has_direct) add_samples(light.direct, light.direct_change, surfaces.albedo, step, direct_);
+    if (has_indirect) add_samples(light.indirect, light.indirect_change, surfaces.albedo, step, indirect_);
+    if (light.specular.empty()) return;
+    find_past(Motion::OfReflection, step);
+    add_samples(light.specular, light.direct_change, surfaces.gloss, step, specular_);
+    if (!surfaces.roughness.empty()) step.passes.add(stiffness_rows(surfaces.roughness, stiffness_));
+}
+
+// How far each is right, and how sure.
+void Denoiser::settle_tracks(const Step& step) {
+    const auto for_all = [&](auto work) {
+        for (Track* track : {&direct_, &indirect_, &specular_}) {
+            if (track->smooth != nullptr) step.passes.add(work(*track));
+        }
+    };
+    if (step.settings.settles) {
+        const SettleSettings settings{step.settings.settle_sigmas, step.settings.temporal.fast_longest};
+        step.passes.begin(kSettleReach);
+        for_all([](Track& track) { return settle_sum_rows(track.mean, track.sums); });
+        step.passes.begin(kSettleReach);
+        for_all([&](Track& track) { return settle_rows(settings, track.sums, track.mean); });
+    }
+    step.passes.begin(kVarianceReach);
+    for_all([](Track& track) { return variance_rows(track.mean, track.variance); });
+}
+
 // All lights side by side, for they ask the same guides.
-void Denoiser::smooth_tracks(const Step& step) {
-    std::array<Smoothing, 3> all;
+std::size_t Denoiser::smooth_tracks(const Step& step, std::span<Smoothing, 3> all) {
     std::size_t count = 0;
     const int more = seen_.part.empty() ? step.settings.more_levels_at_first : 0;
     const auto add = [&](Track& track, AtrousSettings settings) {
         if (track.smooth == nullptr || settings.levels == 0) return;
         settings.levels = std::max(settings.levels, std::min(settings.levels + more, kMostAtFirst));
-        all[count++] = {{&track.mean.light, &track.variance}, settings, track.scratch};
+        all[count++] = {{&track.mean.light, &track.variance}, settings, track.scratch, false};
         track.smooth = &track.scratch[(settings.levels - 1) % 2].light;
     };
     add(direct_, step.settings.direct);
     add(indirect_, step.settings.indirect);
-    if (specular_.smooth != nullptr && !step.surfaces.roughness.empty())
-        make_stiffness(step.surfaces.roughness, step.jobs, stiffness_);
     add(specular_, step.settings.specular);
     if (specular_.smooth != nullptr && step.settings.specular.levels > 0) {
         all[count - 1].in.stiffness = step.surfaces.roughness.empty() ? nullptr : &stiffness_;
         all[count - 1].in.part = &step.surfaces.part;
     }
-    atrous(guides_, std::span(all).first(count), step.jobs);
+    return count;
 }
 
 void Denoiser::denoise(const GBuffer& surfaces, const Light& light, const DenoiseSettings& settings,
-                       const Jobs& jobs, Plane3& out) {
-    const Step step{surfaces, settings, jobs};
-    const bool has_direct = !light.direct.empty(), has_indirect = !light.indirect.empty();
-    const bool has_specular = !light.specular.empty();
-    // A light that pauses has no past when it comes back.
-    if (!has_direct) direct_ = {};
-    if (!has_indirect) indirect_ = {};
-    if (!has_specular) specular_ = {};
-
-    make_guides(surfaces, jobs, guides_);
-    if (has_direct || has_indirect) reproject(surfaces, guides_, seen_, Motion::OfSurface, jobs, taps_);
-    const bool is_asked = !light.change_then.empty() && light.change_then.width() == seen_.part.width() &&
-                          light.change_then.height() == seen_.part.height();
-    const auto change = [&](const Plane& told) -> const Plane& {
-        if (is_asked) carry_change(light.change_then, taps_, settings.change_sharpness, jobs, change_);
-        return is_asked ? change_ : told;
-    };
-    if (has_direct)
-        accumulate_track(light.direct, change(light.direct_change), surfaces.albedo, step, direct_);
-    if (has_indirect)
-        accumulate_track(light.indirect, change(light.indirect_change), surfaces.albedo, step, indirect_);
-    if (has_specular) {
-        reproject(surfaces, guides_, seen_, Motion::OfReflection, jobs, taps_);
-        accumulate_track(light.specular, change(light.direct_change), surfaces.gloss, step, specular_);
+                       const Jobs& jobs, Plane3& out, const Ends& ends) {
+    RowPasses passes;
+    if (ends.before) {
+        passes.begin(0);
+        passes.add(ends.before);
     }
-    smooth_tracks(step);
-    remodulate({.direct = direct_.smooth,
-                .indirect = indirect_.smooth,
-                .specular = specular_.smooth,
-                .clean = &light.clean,
-                .gloss = &surfaces.gloss},
-               surfaces.albedo, jobs, out);
+    const Step step{surfaces, light, settings, passes};
+    // A light that pauses has no past when it comes back.
+    if (light.direct.empty()) direct_ = {};
+    if (light.indirect.empty()) indirect_ = {};
+    if (light.specular.empty()) specular_ = {};
+
+    std::array<Smoothing, 3> all;
+    accumulate_tracks(step);
+    settle_tracks(step);
+    const std::size_t count = smooth_tracks(step, all);
+    add_atrous(guides_, std::span(all).first(count), passes);
+    passes.begin(0);
+    passes.add(remodulate_rows({.direct = direct_.smooth,
+                                .indirect = indirect_.smooth,
+                                .specular = specular_.smooth,
+                                .clean = &light.clean,
+                                .gloss = &surfaces.gloss},
+                               surfaces.albedo, out));
+    passes.add(ends.after);
+    passes.run(surfaces.height(), jobs);
 
     seen_.lens = surfaces.lens;
     seen_.part = surfaces.part;

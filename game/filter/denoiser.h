@@ -23,6 +23,9 @@
 #include "filter/reproject.h"
 #include "filter/temporal.h"
 
+#include <cstddef>
+#include <span>
+
 namespace gh::filter {
 
 struct DenoiseSettings {
@@ -45,9 +48,14 @@ class Denoiser {
     // The next frame is the first: nothing of what was seen counts.
     void forget();
 
+    // What a caller does to each row while it is at hand: `before` may still fill that row of `surfaces` and `light` (whose
+    // planes all have their sizes by then), `after` finds that row of `out` made.
+    struct Ends {
+        RowWork before, after;
+    };
     // `out` is made to fit, linear radiance like `light`.
     void denoise(const GBuffer& surfaces, const Light& light, const DenoiseSettings& settings,
-                 const Jobs& jobs, Plane3& out);
+                 const Jobs& jobs, Plane3& out, const Ends& ends = {});
 
     // Samples in the mean of each pixel's direct light, for views of what the filter does.
     [[nodiscard]] const Plane& history_length() const { return direct_.mean.length; }
@@ -59,20 +67,24 @@ class Denoiser {
     struct Track {
         Accumulated mean, before;
         Plane variance;
+        Plane sums[2];      // while it settles
         Signal scratch[2];  // the a-trous levels by turns; before them, the samples as they are mended
         const Luma3* smooth = nullptr;  // what is shown; null: there is no such light
     };
     struct Step;
 
-    void accumulate_track(const Plane3& light, const Plane& change, const Plane3& albedo, const Step& step,
-                          Track& track);
-    void smooth_tracks(const Step& step);
+    [[nodiscard]] bool asks_change(const Step& step) const;
+    void find_past(Motion motion, const Step& step);
+    void add_samples(const Plane3& light, const Plane& told, const Plane3& albedo, const Step& step,
+                     Track& track);
+    void accumulate_tracks(const Step& step);
+    void settle_tracks(const Step& step);
+    [[nodiscard]] std::size_t smooth_tracks(const Step& step, std::span<Smoothing, 3> all);
 
     Guides guides_;
     SeenSurfaces seen_;
     Taps taps_;
     Track direct_, indirect_, specular_;
-    Plane sums_[2];
     Plane stiffness_;
     Plane change_;
 };

@@ -83,6 +83,10 @@ GuideRows rows_of(const Guides& guides, int y) {
 }
 
 void make_guides(const GBuffer& surfaces, const Jobs& jobs, Guides& guides) {
+    run_rows(surfaces.height(), jobs, guide_rows(surfaces, guides));
+}
+
+RowWork guide_rows(const GBuffer& surfaces, Guides& guides) {
     const int width = surfaces.width(), height = surfaces.height();
     guides.nearness.fit(width, height);
     guides.slope_x.fit(width, height);
@@ -96,7 +100,7 @@ void make_guides(const GBuffer& surfaces, const Jobs& jobs, Guides& guides) {
     copy(surfaces.lens.down, shared.down);
     for (std::size_t i = 0; i < 3; ++i) shared.ahead[i] = projector.ahead[i];
     shared.width = width;
-    run_rows(height, jobs, [&](int y) {
+    return [shared, &surfaces, &guides](int y) {
         GuidesRow row = shared;
         point_to(row.position, surfaces.position, y);
         point_to(row.smooth, surfaces.normal, y);
@@ -108,7 +112,7 @@ void make_guides(const GBuffer& surfaces, const Jobs& jobs, Guides& guides) {
         row.slope_y = guides.slope_y.row(y);
         point_to(row.normal, guides.normal, y);
         HWY_DYNAMIC_DISPATCH(guides_row)(row);
-    });
+    };
 }
 
 }  // namespace gh::filter

@@ -13,6 +13,7 @@
 #include "base/jobs.h"
 #include "filter/gbuffer.h"
 #include "filter/plane.h"
+#include "filter/rows.h"
 
 namespace gh::filter {
 
@@ -27,6 +28,7 @@ struct Guides {
 
 // `guides` is made to fit.
 void make_guides(const GBuffer& surfaces, const Jobs& jobs, Guides& guides);
+[[nodiscard]] RowWork guide_rows(const GBuffer& surfaces, Guides& guides);
 
 // One row of them, for kernels; null pointers never.
 struct GuideRows {

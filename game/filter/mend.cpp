@@ -81,9 +81,13 @@ namespace gh::filter {
 HWY_EXPORT(mend_row);
 
 void mend(const Plane3& light, const MendSettings& settings, const Jobs& jobs, Plane3& out) {
+    run_rows(light.height(), jobs, mend_rows(light, settings, out));
+}
+
+RowWork mend_rows(const Plane3& light, const MendSettings& settings, Plane3& out) {
     EXPECTS(&light != &out && settings.floor >= 0.0f && settings.factor >= 1.0f);
     out.fit(light.width(), light.height());
-    run_rows(light.height(), jobs, [&](int y) {
+    return [settings, &light, &out](int y) {
         MendRow row{};
         point_to(row.light, light, y);
         row.width = light.width();
@@ -94,7 +98,7 @@ void mend(const Plane3& light, const MendSettings& settings, const Jobs& jobs, P
         row.factor = settings.factor;
         point_to(row.out, out, y);
         HWY_DYNAMIC_DISPATCH(mend_row)(row);
-    });
+    };
 }
 
 }  // namespace gh::filter

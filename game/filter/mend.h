@@ -12,6 +12,7 @@
 
 #include "base/jobs.h"
 #include "filter/plane.h"
+#include "filter/rows.h"
 
 namespace gh::filter {
 
@@ -25,5 +26,8 @@ struct MendSettings {
 
 // `out` is made to fit and is not `light`.
 void mend(const Plane3& light, const MendSettings& settings, const Jobs& jobs, Plane3& out);
+// Asks rows up to kMendReach away.
+inline constexpr int kMendReach = 1;
+[[nodiscard]] RowWork mend_rows(const Plane3& light, const MendSettings& settings, Plane3& out);
 
 }  // namespace gh::filter

@@ -123,5 +123,8 @@ using Luma3 = Plane3;
 // The same picture, the other way round in memory. Sizes are made to fit.
 void planes_from(const Image& image, Plane3& out);
 void image_from(const Plane3& planes, Image& out);
+// One row of that. Of one size.
+void part_row(const Image& image, int y, Plane3& out);
+void join_row(const Plane3& planes, int y, Image& out);
 
 }  // namespace gh::filter

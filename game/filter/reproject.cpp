@@ -210,7 +210,7 @@ static void weigh_taps(const ReprojectRow& row, std::size_t x, const Then& then)
     }
     const Floats share = zero_unless(hn::Ge(sum, splat(kLeastWeight)), hn::Div(one, sum));
     for (int tap = 0; tap < 4; ++tap) store(hn::Mul(weight[tap], share), row.weight[tap] + x);
-    hn::StoreU(place.first, I(), row.first + x);
+    hn::StoreU(first, I(), row.first + x);
     const Lanes lost = hn::And(usable, hn::Lt(sum, splat(kLeastWeight)));
     if (!hn::AllFalse(F(), lost)) ask_around(row, x, then, wanted, lost);
 }
@@ -255,12 +255,17 @@ void Taps::fit(int width, int height) {
 
 void reproject(const GBuffer& now, const Guides& guides, const SeenSurfaces& seen, Motion motion,
                const Jobs& jobs, Taps& taps) {
+    run_rows(now.height(), jobs, reproject_rows(now, guides, seen, motion, taps));
+}
+
+RowWork reproject_rows(const GBuffer& now, const Guides& guides, const SeenSurfaces& seen, Motion motion,
+                       Taps& taps) {
     const int width = now.width(), height = now.height();
     EXPECTS(guides.width() == width && guides.height() == height);
     if (seen.part.empty()) {
         taps.first.resize(width, height);
         for (Plane& weight : taps.weight) weight.resize(width, height);
-        return;
+        return {};
     }
     taps.fit(width, height);
     ReprojectRow shared{};
@@ -275,7 +280,7 @@ void reproject(const GBuffer& now, const Guides& guides, const SeenSurfaces& see
     shared.scale_x = static_cast<float>(shared.then_width) / static_cast<float>(width);
     shared.scale_y = static_cast<float>(shared.then_height) / static_cast<float>(height);
     const bool follows_reflection = motion == Motion::OfReflection && !now.reflected.empty();
-    run_rows(height, jobs, [&](int y) {
+    return [shared, follows_reflection, &now, &guides, &taps](int y) {
         ReprojectRow row = shared;
         point_to(row.position, now.position, y);
         point_to(row.previous, now.previous.empty() ? now.position : now.previous, y);
@@ -288,7 +293,7 @@ void reproject(const GBuffer& now, const Guides& guides, const SeenSurfaces& see
         row.first = taps.first.row(y);
         for (std::size_t tap = 0; tap < 4; ++tap) row.weight[tap] = taps.weight[tap].row(y);
         HWY_DYNAMIC_DISPATCH(reproject_row)(row);
-    });
+    };
 }
 
 }  // namespace gh::filter

@@ -51,5 +51,7 @@ enum class Motion {
 // `guides` are those of `now`. `taps` is made to fit. With nothing seen every weight is 0.
 void reproject(const GBuffer& now, const Guides& guides, const SeenSurfaces& seen, Motion motion,
                const Jobs& jobs, Taps& taps);
+[[nodiscard]] RowWork reproject_rows(const GBuffer& now, const Guides& guides, const SeenSurfaces& seen,
+                                     Motion motion, Taps& taps);
 
 }  // namespace gh::filter

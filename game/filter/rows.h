@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace gh::filter {
 
@@ -51,7 +54,8 @@ void run_passes(int height, std::span<const int> reach, const Jobs& jobs, const 
     EXPECTS(passes >= 1 && reach.size() <= lag.size());
     for (std::size_t pass = 1; pass < reach.size(); ++pass) lag[pass] = lag[pass - 1] + reach[pass];
     const int last = lag[reach.size() - 1];
-    const int strips = std::clamp(height / std::max(1, 5 * last), 1, (height + kStripRows - 1) / kStripRows);
+    const int wanted = std::max((height + kStripRows - 1) / kStripRows, jobs.threads());
+    const int strips = std::clamp(wanted, 1, std::max(1, height / std::max(1, 2 * last)));
     const auto begin_of = [&](int strip) { return strip * height / strips; };
     jobs.run(static_cast<std::size_t>(strips), [&](std::size_t strip, int) {
         const int begin = begin_of(static_cast<int>(strip)), end = begin_of(static_cast<int>(strip) + 1);
@@ -71,6 +75,38 @@ void run_passes(int height, std::span<const int> reach, const Jobs& jobs, const 
         }
     });
 }
+
+// What a stage does to make its row `y`.
+using RowWork = std::function<void(int y)>;
+
+inline void run_rows(int height, const Jobs& jobs, const RowWork& work) {
+    if (work) run_rows<RowWork>(height, jobs, work);
+}
+
+// Stages as the passes of run_passes(): what one leaves is still in the cache when the next reads it.
+class RowPasses {
+  public:
+    // What is added from now on needs rows of what was added before: up to `reach` above and below.
+    void begin(int reach) {
+        reach_.push_back(reach);
+        work_.emplace_back();
+    }
+    // Works of one pass follow each other on every row. An empty one does nothing.
+    void add(RowWork work) {
+        EXPECTS(!work_.empty());
+        if (work) work_.back().push_back(std::move(work));
+    }
+    void run(int height, const Jobs& jobs) const {
+        if (work_.empty() || height == 0) return;
+        run_passes(height, reach_, jobs, [&](int pass, int y) {
+            for (const RowWork& work : work_[static_cast<std::size_t>(pass)]) work(y);
+        });
+    }
+
+  private:
+    std::vector<int> reach_;
+    std::vector<std::vector<RowWork>> work_;
+};
 
 // The three rows of a vector or colour.
 inline void point_to(const float* to[3], const Plane3& planes, int y) {

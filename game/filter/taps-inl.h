@@ -2,7 +2,8 @@
 // set; see simd-inl.h.
 //
 // Mostly a vector's pixels were side by side a frame ago as well: then four plain loads do. Where motion tears them
-// apart they are gathered. Either way the same numbers come back.
+// apart it is into a few runs, each of which is read by plain loads again (a gather takes as long as six of them); only
+// what lies in more pieces is gathered. Either way the same numbers come back.
 #if defined(GH_FILTER_TAPS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GH_FILTER_TAPS_INL_H_
 #undef GH_FILTER_TAPS_INL_H_
@@ -15,33 +16,64 @@
 HWY_BEFORE_NAMESPACE();
 namespace gh::filter::HWY_NAMESPACE {
 
+// Where motion tears pixels apart, into how many runs at most that are read each by plain loads.
+constexpr int kMostRuns = 4;
+
 struct TapPlace {
     Ints first;
-    std::ptrdiff_t start;  // of the first lane
-    bool side_by_side;
+    int runs;                         // 0: too many, gather
+    std::ptrdiff_t start[kMostRuns];  // of a run, if its lane were the first
+    Lanes lanes[kMostRuns];           // of the first all that belong to no other
 };
+
+// Of pixels that lie anywhere.
+static HWY_INLINE TapPlace scattered(Ints first) {
+    TapPlace place;
+    place.first = first;
+    place.runs = 0;
+    return place;
+}
 
 // Of those lanes whose taps matter; at least one must. The others read somewhere near.
 static HWY_INLINE TapPlace place_of(Ints first, Lanes matter) {
     HWY_ALIGN std::int32_t places[HWY_MAX_BYTES / sizeof(std::int32_t)];
     hn::Store(first, I(), places);
-    const std::ptrdiff_t lane = hn::FindFirstTrue(F(), matter);
-    const auto start = static_cast<std::int32_t>(places[lane] - lane);
-    const Ints in_line = hn::Iota(I(), start);
-    const Lanes fits = hn::RebindMask(F(), hn::Eq(first, in_line));
-    const bool side_by_side = hn::AllTrue(F(), hn::Or(fits, hn::Not(matter)));
-    return {side_by_side ? in_line : first, start, side_by_side};
+    TapPlace to;
+    to.first = first;
+    to.runs = 0;
+    for (Lanes left = matter; !hn::AllFalse(F(), left);) {
+        if (to.runs == kMostRuns) {
+            to.runs = 0;
+            break;
+        }
+        const std::ptrdiff_t lane = hn::FindFirstTrue(F(), left);
+        const auto start = static_cast<std::int32_t>(places[lane] - lane);
+        const Lanes run = hn::RebindMask(F(), hn::Eq(first, hn::Iota(I(), start)));
+        to.start[to.runs] = start;
+        to.lanes[to.runs] = run;
+        ++to.runs;
+        left = hn::AndNot(run, left);
+    }
+    return to;
 }
 
 static HWY_INLINE Floats read_tap(const float* plane, const TapPlace& place, std::ptrdiff_t step) {
-    return place.side_by_side ? load(plane + place.start + step)
-                              : hn::GatherIndex(F(), plane + step, place.first);
+    if (place.runs == 0) return hn::GatherIndex(F(), plane + step, place.first);
+    Floats value = load(plane + place.start[0] + step);
+    for (int run = 1; run < place.runs; ++run)
+        value = choose(place.lanes[run], load(plane + place.start[run] + step), value);
+    return value;
 }
 
 static HWY_INLINE Ints read_tap(const std::uint32_t* plane, const TapPlace& place, std::ptrdiff_t step) {
     const auto* numbers = reinterpret_cast<const std::int32_t*>(plane) + step;
-    return place.side_by_side ? hn::LoadU(I(), numbers + place.start)
-                              : hn::GatherIndex(I(), numbers, place.first);
+    if (place.runs == 0) return hn::GatherIndex(I(), numbers, place.first);
+    Ints value = hn::LoadU(I(), numbers + place.start[0]);
+    for (int run = 1; run < place.runs; ++run) {
+        const auto lanes = hn::RebindMask(I(), place.lanes[run]);
+        value = hn::IfThenElse(lanes, hn::LoadU(I(), numbers + place.start[run]), value);
+    }
+    return value;
 }
 
 }  // namespace gh::filter::HWY_NAMESPACE

@@ -20,27 +20,37 @@ struct Brought {
 
 struct Blend {
     TapPlace place;
-    Floats weight[4];
     std::ptrdiff_t stride;
+    Floats weight[4];
+    Lanes counts[4];
+    bool is_used[4];
 };
 
+// A tap without weight is not read, be it one of a pixel or one of all: in a picture that stands still one in four has any.
 static HWY_INLINE Floats blend_taps(const Blend& blend, const float* plane) {
-    const Floats upper = hn::Add(hn::Mul(read_tap(plane, blend.place, 0), blend.weight[0]),
-                                 hn::Mul(read_tap(plane, blend.place, 1), blend.weight[1]));
-    const Floats lower = hn::Add(hn::Mul(read_tap(plane, blend.place, blend.stride), blend.weight[2]),
-                                 hn::Mul(read_tap(plane, blend.place, blend.stride + 1), blend.weight[3]));
-    return hn::Add(upper, lower);
+    const std::ptrdiff_t step[4] = {0, 1, blend.stride, blend.stride + 1};
+    Floats sum = hn::Zero(F());
+    for (int tap = 0; tap < 4; ++tap) {
+        if (!blend.is_used[tap]) continue;
+        const Floats value = read_tap(plane, blend.place, step[tap]);
+        sum = hn::Add(sum, zero_unless(blend.counts[tap], hn::Mul(value, blend.weight[tap])));
+    }
+    return sum;
 }
 
 static HWY_INLINE Brought bring(const AccumulateRow& row, std::size_t x) {
     const Floats zero = hn::Zero(F());
-    const Floats weight[4] = {load(row.weight[0] + x), load(row.weight[1] + x), load(row.weight[2] + x),
-                              load(row.weight[3] + x)};
-    const Lanes known = hn::Gt(hn::Add(hn::Add(weight[0], weight[1]), hn::Add(weight[2], weight[3])), zero);
+    Blend blend;
+    Lanes known = hn::Gt(zero, zero);
+    for (int tap = 0; tap < 4; ++tap) {
+        blend.weight[tap] = load(row.weight[tap] + x);
+        blend.counts[tap] = hn::Gt(blend.weight[tap], zero);
+        blend.is_used[tap] = !hn::AllFalse(F(), blend.counts[tap]);
+        known = hn::Or(known, blend.counts[tap]);
+    }
     if (!row.has_past || hn::AllFalse(F(), known)) return {zero, zero, zero, zero, zero, zero};
-    const Blend blend{place_of(hn::LoadU(I(), row.first + x), known),
-                      {weight[0], weight[1], weight[2], weight[3]},
-                      row.then_stride};
+    blend.place = place_of(hn::LoadU(I(), row.first + x), known);
+    blend.stride = row.then_stride;
     return {blend_taps(blend, row.then_light[0]), blend_taps(blend, row.then_light[1]),
             blend_taps(blend, row.then_light[2]), blend_taps(blend, row.then_square),
             blend_taps(blend, row.then_length),   blend_taps(blend, row.then_fast)};
@@ -101,6 +111,11 @@ void Accumulated::fit(int width, int height) {
 
 void accumulate(const Plane3& samples, const Plane& change, const Past& past,
                 const TemporalSettings& settings, const Jobs& jobs, Accumulated& out) {
+    run_rows(samples.height(), jobs, accumulate_rows(samples, change, past, settings, out));
+}
+
+RowWork accumulate_rows(const Plane3& samples, const Plane& change, const Past& past,
+                        const TemporalSettings& settings, Accumulated& out) {
     const Taps& taps = past.taps;
     const Accumulated& before = past.before;
     EXPECTS(settings.longest >= 1.0f && settings.fast_longest >= 1.0f);
@@ -120,7 +135,7 @@ void accumulate(const Plane3& samples, const Plane& change, const Past& past,
         shared.then_fast = before.fast.row(0);
         shared.then_stride = before.length.stride();
     }
-    run_rows(height, jobs, [&](int y) {
+    return [shared, &samples, &change, &taps, &out](int y) {
         AccumulateRow row = shared;
         point_to(row.sample, samples, y);
         row.change = change.empty() ? nullptr : change.row(y);
@@ -131,7 +146,7 @@ void accumulate(const Plane3& samples, const Plane& change, const Past& past,
         row.length = out.length.row(y);
         row.fast = out.fast.row(y);
         HWY_DYNAMIC_DISPATCH(accumulate_row)(row);
-    });
+    };
 }
 
 }  // namespace gh::filter

@@ -42,5 +42,7 @@ struct Past {
 // new, 0 ... 1: the mean forgets that share of its past.
 void accumulate(const Plane3& samples, const Plane& change, const Past& past,
                 const TemporalSettings& settings, const Jobs& jobs, Accumulated& out);
+[[nodiscard]] RowWork accumulate_rows(const Plane3& samples, const Plane& change, const Past& past,
+                                      const TemporalSettings& settings, Accumulated& out);
 
 }  // namespace gh::filter

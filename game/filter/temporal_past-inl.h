@@ -120,7 +120,7 @@ static HWY_NOINLINE void look_around(Taps& taps, Floats at_x, Floats at_y, Lanes
         if (hn::AllFalse(F(), matter)) continue;
         const Ints place = hn::Add(hn::Mul(v, stride), u);
         const Ints safe = hn::IfThenElseZero(hn::RebindMask(I(), matter), place);
-        taps.add({safe, 0, false}, 0, matter, splat(1.0f));
+        taps.add(scattered(safe), 0, matter, splat(1.0f));
     }
 }
 

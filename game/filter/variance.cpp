@@ -14,9 +14,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace gh::filter::HWY_NAMESPACE {
 
-constexpr float kEnough = 4.0f;  // samples to judge a pixel by its own
-constexpr int kApart = 2;        // pixels between the neighbours asked
-constexpr int kReach = 4;  // of them, in pixels: light that finds one pixel in 25 is still seen to be noise
+constexpr float kEnough = 4.0f;         // samples to judge a pixel by its own
+constexpr int kApart = 2;               // pixels between the neighbours asked
+constexpr int kReach = kVarianceReach;  // pixels: light that finds one in 25 is still seen to be noise
 // What few samples say is taken for more than it is: light that finds one pixel in 25 may have missed all of these, and
 // what is smoothed too widely now is made up for by the next frames.
 constexpr float kDoubt = 2.0f;
@@ -98,9 +98,13 @@ namespace gh::filter {
 HWY_EXPORT(variance_row);
 
 void estimate_variance(const Accumulated& signal, const Jobs& jobs, Plane& variance) {
+    run_rows(signal.light.height(), jobs, variance_rows(signal, variance));
+}
+
+RowWork variance_rows(const Accumulated& signal, Plane& variance) {
     const int width = signal.light.width(), height = signal.light.height();
     variance.fit(width, height);
-    run_rows(height, jobs, [&](int y) {
+    return [width, height, &signal, &variance](int y) {
         VarianceRow row{};
         row.luminance = signal.light.y.row(y);
         row.square = signal.square.row(y);
@@ -111,7 +115,7 @@ void estimate_variance(const Accumulated& signal, const Jobs& jobs, Plane& varia
         row.stride = signal.square.stride();
         row.variance = variance.row(y);
         HWY_DYNAMIC_DISPATCH(variance_row)(row);
-    });
+    };
 }
 
 }  // namespace gh::filter

@@ -16,5 +16,8 @@ namespace gh::filter {
 
 // `variance` is made to fit.
 void estimate_variance(const Accumulated& signal, const Jobs& jobs, Plane& variance);
+// Asks rows up to kVarianceReach away.
+inline constexpr int kVarianceReach = 4;
+[[nodiscard]] RowWork variance_rows(const Accumulated& signal, Plane& variance);
 
 }  // namespace gh::filter

@@ -31,13 +31,14 @@ void run_and_check(int height, const std::vector<int>& reach, int threads) {
 }
 
 TEST(Rows, EveryPassFindsWhatTheOneBeforeHasLeftAtAnyHeight) {
-    for (const int threads : {1, 3}) {
+    for (const int threads : {1, 3, 20}) {
         for (const int height : {1, 2, 7, 45, 90, 181, 360, 1000}) {
             run_and_check(height, {0}, threads);
             run_and_check(height, {0, 2}, threads);
             run_and_check(height, {0, 2, 4}, threads);
             run_and_check(height, {0, 2, 4, 8, 16}, threads);
             run_and_check(height, {0, 4, 8, 16, 32}, threads);
+            run_and_check(height, {0, 1, 2, 2, 4, 8}, threads);
         }
     }
 }
