@@ -7,11 +7,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace gh::render {
 
 // Rays asked for by purpose, for the profiler. Summed over tiles in index order: the same for any thread count.
+struct KeptLightTree;
+
 struct FrameStats {
     std::uint64_t primary_rays = 0;    // from the eye
     std::uint64_t reflected_rays = 0;  // off mirrors, polished floors, glass
@@ -58,6 +61,9 @@ struct Film {
     Image radiance;  // linear, scene-referred; its size is the picture's size
     FrameStats stats;
     FilmPlanes planes;  // empty unless asked for
+    // What the path tracer found out about lamps for the last picture, to be used again while none changes; never part
+    // of an answer.
+    std::shared_ptr<const KeptLightTree> light_tree;
 
     Film() = default;
     Film(int width, int height) : radiance(width, height) {}

@@ -26,6 +26,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -48,8 +49,10 @@ class Environment;
 
 class LightSet {
   public:
-    // `environment` may be null.
-    LightSet(const SceneView& view, const FrameLight& frame, const Environment* environment = nullptr);
+    // `environment` may be null. `kept` is the light tree of an earlier frame of this level, or null, and becomes this
+    // frame's: the same one while no light has changed.
+    LightSet(const SceneView& view, const FrameLight& frame, const Environment* environment,
+             std::shared_ptr<const KeptLightTree>& kept);
 
     [[nodiscard]] std::optional<LightSample> sample(const rc::SurfacePoint& point, const LightQuery& query,
                                                     float u_light, const glm::vec2& u) const;
@@ -143,7 +146,7 @@ class LightSet {
     std::vector<const Emitter*> emitter_of_part_;
     std::vector<std::uint32_t> light_of_lamp_;  // kNoIndex: not picked by list
     std::vector<std::uint8_t> gleam_on_;
-    LightTree tree_;
+    std::shared_ptr<const KeptLightTree> tree_;
 };
 
 }  // namespace gh::render

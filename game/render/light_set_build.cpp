@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gh::render {
 
@@ -44,7 +45,8 @@ LightBounds rect_bounds(const RectShape& rect, float power, bool is_double_sided
 
 }  // namespace
 
-LightSet::LightSet(const SceneView& view, const FrameLight& frame, const Environment* environment)
+LightSet::LightSet(const SceneView& view, const FrameLight& frame, const Environment* environment,
+                   std::shared_ptr<const KeptLightTree>& kept)
     : view_(view), environment_(environment) {
     std::vector<LightBounds> bounds;
     light_of_lamp_.assign(view.level.lamps.size(), world::kNoIndex);
@@ -62,7 +64,7 @@ LightSet::LightSet(const SceneView& view, const FrameLight& frame, const Environ
         if (lamp != world::kNoIndex && lights_[light].kind != Kind::Triangle) note_listed(lamp, light);
     }
     for (std::size_t i = 0; i < lights_.size(); ++i) lights_[i].power = bounds[i].power;
-    tree_ = LightTree(bounds);
+    tree_ = kept = light_tree_of(std::move(bounds), std::move(kept));
     for (const Gleam& gleam : view.prepared.gleams.gleams) {
         const bool is_on = gleam.part != world::kNoIndex ? emitter_of_part_[gleam.part] != nullptr
                                                          : frame.lamp_on[gleam.lamp] != 0;

@@ -41,7 +41,7 @@ float LightSet::far_weight(const LightQuery& query) const {
 float LightSet::far_share(const LightQuery& query) const {
     const float far = far_weight(query);
     if (!(far > 0.0f)) return 0.0f;
-    const float near = tree_.importance(query);
+    const float near = tree_->tree.importance(query);
     if (!(near > 0.0f)) return 1.0f;
     return std::clamp(far / (far + near), 0.1f, 0.9f);
 }
@@ -122,7 +122,7 @@ std::optional<LightTree::Pick> LightSet::pick_near(const LightQuery& query, floa
         return LightTree::Pick{chosen, listed.share * weight / listed.weight};
     }
     const LightTree::Pick pick =
-        tree_.pick(query, std::clamp((u - listed.share) / (1.0f - listed.share), 0.0f, 0x1.fffffep-1f));
+        tree_->tree.pick(query, std::clamp((u - listed.share) / (1.0f - listed.share), 0.0f, 0x1.fffffep-1f));
     if (!(pick.probability > 0.0f) || is_listed(lights_[pick.light], query)) return std::nullopt;
     return LightTree::Pick{pick.light, pick.probability * (1.0f - listed.share)};
 }
@@ -133,7 +133,7 @@ float LightSet::near_probability(const LightQuery& query, std::uint32_t light) c
         const float own = listed_weight(lights_[light].listed_as, query);
         return own > 0.0f ? listed.share * own / listed.weight : 0.0f;
     }
-    return listed.share < 1.0f ? (1.0f - listed.share) * tree_.probability(query, light) : 0.0f;
+    return listed.share < 1.0f ? (1.0f - listed.share) * tree_->tree.probability(query, light) : 0.0f;
 }
 
 }  // namespace gh::render

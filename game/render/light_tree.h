@@ -3,7 +3,7 @@
 // A light is picked with a probability that is known, and that is above 0 wherever it may give light: estimates stay
 // unbiased whatever the tree looks like.
 //
-// Cost      built in O(n log n) each frame, 1.0 us a light (a thousand) to 1.3 us (a hundred thousand); picking one of a
+// Cost      built in O(n log n) each frame in which a light has changed, 1.0 us a light (a thousand) to 1.3 us (a hundred thousand); picking one of a
 //           thousand .4 us, of a hundred thousand 1.3 us, most of it waiting for memory.
 // Threads   immutable once built.
 // Same bits built and walked in index order; additions, multiplications, square roots.
@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -77,5 +78,14 @@ class LightTree {
     std::vector<Node> nodes_;
     std::vector<std::uint64_t> trails_;  // the turns down to each light, first turn in the lowest bit
 };
+
+// A tree and what it was made from, so that frames in which no lamp changes share one.
+struct KeptLightTree {
+    std::vector<LightBounds> lights;
+    LightTree tree;
+};
+// `kept` if it was made from these very lights, else a new one. `kept` may be null.
+[[nodiscard]] std::shared_ptr<const KeptLightTree> light_tree_of(std::vector<LightBounds> lights,
+                                                                 std::shared_ptr<const KeptLightTree> kept);
 
 }  // namespace gh::render

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
+#include <utility>
 
 namespace gh::render {
 
@@ -130,6 +132,17 @@ LightTree::LightTree(std::span<const LightBounds> lights) {
     nodes_.reserve(2 * items.size());
     std::vector<Item> scratch(items.size());
     (void)build(items, scratch, {});
+}
+
+std::shared_ptr<const KeptLightTree> light_tree_of(std::vector<LightBounds> lights,
+                                                   std::shared_ptr<const KeptLightTree> kept) {
+    static_assert(sizeof(LightBounds) == 12 * sizeof(float), "compared byte by byte");
+    const auto bytes = lights.size() * sizeof(LightBounds);
+    if (kept != nullptr && kept->lights.size() == lights.size() &&
+        (bytes == 0 || std::memcmp(kept->lights.data(), lights.data(), bytes) == 0))
+        return kept;
+    const LightTree tree(lights);
+    return std::make_shared<const KeptLightTree>(KeptLightTree{std::move(lights), tree});
 }
 
 LightTree::Plane LightTree::cheapest_plane(std::span<const Item> items) {

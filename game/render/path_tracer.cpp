@@ -40,7 +40,7 @@ void render_path(const SceneView& scene, const Camera& camera, const PathSetting
     if (width == 0 || height == 0) return;
     const bool needs_bake = settings.ends_in_bake || settings.lights == LightPaths::Glossy;
     const FrameLight light = frame_light(scene, needs_bake);
-    const LightSet lights(scene, light, settings.environment);
+    const LightSet lights(scene, light, settings.environment, film.light_tree);
     const PathFrame shared{
         .view = scene,
         .settings = settings,

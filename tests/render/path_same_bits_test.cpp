@@ -45,6 +45,35 @@ TEST(PathSameBits, OneTwoAndEightThreadsMakeOnePicture) {
     }
 }
 
+// A film keeps what was found out about lamps for the next picture: that must never show, least of all when a lamp is
+// switched.
+TEST(PathSameBits, AFilmThatIsUsedAgainShowsWhatAFreshOneShowsThoughLampsAreSwitched) {
+    Studio studio;
+    furnish(studio);
+    studio.level.lamp_groups = {"point"};
+    studio.level.lamps[0].group = 0;
+    studio.open();
+    const auto shoot = [&](std::uint32_t frame, render::Film& film) {
+        render::render_path({studio.level, studio.snapshot, studio.prepared}, view(), test::reference(2),
+                            frame, Jobs(1), film);
+    };
+    render::Film kept(24, 16);
+    std::vector<Image> pictures;
+    for (const bool is_on : {true, true, false, true}) {
+        studio.snapshot.state.group_on[0] = is_on ? 1 : 0;
+        const auto tree = kept.light_tree;
+        shoot(7, kept);
+        const bool is_switched = pictures.empty() || pictures.size() >= 2;
+        EXPECT_EQ(kept.light_tree != tree, is_switched) << "picture " << pictures.size();
+        render::Film fresh(24, 16);
+        shoot(7, fresh);
+        EXPECT_EQ(kept.radiance.pixels, fresh.radiance.pixels) << "picture " << pictures.size();
+        pictures.push_back(kept.radiance);
+    }
+    EXPECT_EQ(pictures[0].pixels, pictures[3].pixels);
+    EXPECT_NE(pictures[0].pixels, pictures[2].pixels);
+}
+
 TEST(PathSameBits, EveryIsaMakesOnePicture) {
     std::vector<Image> pictures;
     for (const rc::Isa isa : ::test::supported_isas()) {
