@@ -4,7 +4,6 @@
 #include "filter/tone_map_kernel.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace gh::filter {
@@ -21,20 +20,6 @@ constexpr float kToBright = 0.3f, kToDark = 2.0f;  // seconds to two thirds of t
 float luminance(const glm::vec3& c) {
     return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z;
 }
-
-// sRGB codes over the square root of linear light, where the function is nearly straight.
-using EncodingTable = std::array<float, kEncodingSteps + 2>;
-
-EncodingTable make_encoding() {
-    EncodingTable table;
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        const float root = static_cast<float>(i) / static_cast<float>(kEncodingSteps);
-        table[i] = 255.0f * srgb_from_linear(root * root);
-    }
-    return table;
-}
-
-const EncodingTable kEncoding = make_encoding();
 
 // An 8x8 Bayer matrix in [0, 1): the bits of x ^ y and y interleaved, lowest first.
 float threshold(std::uint32_t x, std::uint32_t y, std::uint32_t frame) {
@@ -93,7 +78,6 @@ void tone_map(const Image& picture, float exposure, std::uint32_t frame, const J
         row.radiance = &picture.pixels[y * static_cast<std::size_t>(picture.width)].x;
         row.width = static_cast<std::size_t>(picture.width);
         row.exposure = exposure;
-        row.encoding = kEncoding.data();
         for (std::uint32_t x = 0; x < kDitherSide + kMostLanes; ++x)
             row.dither[x] = 0.5f * threshold(x, static_cast<std::uint32_t>(y), frame);
         row.bytes = out.at(0, static_cast<int>(y));

@@ -29,18 +29,25 @@ static HWY_INLINE Floats curve(Floats x) {
     return choose(hn::Gt(x, splat(kKnee)), bent, x);
 }
 
+// The sRGB code, 255 at 1, of linear light in [0, 1]: above its straight part a polynomial in the root of the light, in
+// which the function is nearly straight itself. Chebyshev's, off by .06 of a code at most; table and gathers took twice as
+// long as all the rest.
+static HWY_INLINE Floats srgb_code(Floats linear) {
+    constexpr float kBent[] = {704.4776611f,  -1072.2751465f, 875.4388428f,
+                               -450.6159668f, 397.4814453f,   -10.6013603f};
+    const Floats root = hn::Sqrt(linear);
+    Floats bent = splat(-188.9255066f);
+    for (const float coefficient : kBent) bent = hn::Add(hn::Mul(bent, root), splat(coefficient));
+    return choose(hn::Gt(linear, splat(0.0031308f)), bent, hn::Mul(linear, splat(255.0f * 12.92f)));
+}
+
 // Half a step of dither either way at most: black stays black and a code that fits stays.
-static HWY_INLINE Ints code_of(Floats linear, const float* encoding, Floats dither) {
+static HWY_INLINE Ints code_of(Floats linear, Floats dither) {
     const Floats one = splat(1.0f);
-    const Floats clamped = choose(hn::Lt(linear, one), linear, one);
-    const Floats at = hn::Mul(hn::Sqrt(clamped), splat(static_cast<float>(kEncodingSteps)));
-    const Ints step = hn::ConvertTo(I(), at);
-    const Floats blend = hn::Sub(at, hn::ConvertTo(F(), step));
-    const Floats low = hn::GatherIndex(F(), encoding, step), high = hn::GatherIndex(F(), encoding + 1, step);
-    const Floats between = hn::Add(low, hn::Mul(hn::Sub(high, low), blend));
-    const Floats code = hn::Add(hn::Add(between, splat(0.25f)), dither);
+    const Floats code = srgb_code(choose(hn::Lt(linear, one), linear, one));
+    const Floats dithered = hn::Add(hn::Add(code, splat(0.25f)), dither);
     const Floats most = splat(255.0f);
-    return hn::ConvertTo(I(), choose(hn::Lt(code, most), code, most));
+    return hn::ConvertTo(I(), choose(hn::Lt(dithered, most), dithered, most));
 }
 
 // A vector of pixels; `first` tells which of the dithers is theirs.
@@ -62,7 +69,7 @@ static HWY_INLINE void tone_pixels(const ToneRow& row, std::size_t first, const 
     hn::Vec<Bytes> codes[3];
     for (std::size_t c = 0; c < 3; ++c) {
         const Floats linear = hn::Add(hn::Mul(hn::Mul(color[c], scale), hue), bleached);
-        codes[c] = hn::DemoteTo(Bytes(), code_of(linear, row.encoding, dither));
+        codes[c] = hn::DemoteTo(Bytes(), code_of(linear, dither));
     }
     hn::StoreInterleaved3(codes[0], codes[1], codes[2], Bytes(), bytes);
 }

@@ -8,7 +8,6 @@ namespace gh::filter {
 
 inline constexpr float kKnee = 0.25f;      // below it the curve is straight
 inline constexpr float kWhitening = 8.0f;  // exposed peak at which a colour is a quarter of the way to white
-inline constexpr int kEncodingSteps = 1024;  // of a table over the root of linear light, from 0 to 1
 inline constexpr std::size_t kDitherSide = 8;
 inline constexpr std::size_t kMostLanes = 16;
 
@@ -16,7 +15,6 @@ struct ToneRow {
     const float* radiance;  // red, green, blue, red, ...
     std::size_t width;
     float exposure;
-    const float* encoding;                   // sRGB codes, kEncodingSteps + 2 of them
     float dither[kDitherSide + kMostLanes];  // added to the code of pixel x: the one at x % kDitherSide
     std::uint8_t* bytes;                     // as many as there are floats
 };
