@@ -1,6 +1,7 @@
 #include "filter/atrous_kernel.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #undef HWY_TARGET_INCLUDE
@@ -43,6 +44,7 @@ struct Around {
     bool is_line_in[kCount];
     // Of a block of pixels: fourth roots of their weights if their light is the same. What all signals ask alike.
     alignas(64) float near[kCount][kBlock];
+    bool is_known[kBlock];  // of a vector, at its first pixel: where all light is sure nobody asks
 };
 
 // A pixel on its way: what a neighbour is measured by, and what has come together.
@@ -177,10 +179,12 @@ static void keep_pixels(const AtrousSignal& signal, std::size_t x) {
 
 template <int kRadius, bool kEdge>
 static HWY_INLINE void smooth_pixels(const AtrousRow& row, const AtrousSignal& signal, std::size_t x,
-                                     const Around<kRadius>& around) {
+                                     Around<kRadius>& around) {
     using Each = typename Around<kRadius>::Each;
     Gathering to = begin<kEdge>(row, signal, x);
     if (hn::AllTrue(F(), to.sure)) return keep_pixels(signal, x);
+    if (!around.is_known[x % kBlock]) ask_neighbours<kRadius, kEdge>(row, x, around, Each());
+    around.is_known[x % kBlock] = true;
     if (signal.stiffness != nullptr || signal.part != nullptr) {
         add_neighbours<kRadius, true>(signal, x, around, to, Each());
     } else {
@@ -202,10 +206,7 @@ static void smooth_row(const AtrousRow& row) {
     const auto has_all = [&](std::size_t x) { return x >= reach && x + lane_count() + reach <= width; };
     for (std::size_t block = 0; block < width; block += kBlock) {
         const std::size_t end = std::min(block + kBlock, width);
-        for (std::size_t x = block; x < end; x += lane_count()) {
-            has_all(x) ? ask_neighbours<kRadius, false>(row, x, around, typename Around<kRadius>::Each())
-                       : ask_neighbours<kRadius, true>(row, x, around, typename Around<kRadius>::Each());
-        }
+        std::fill(std::begin(around.is_known), std::end(around.is_known), false);
         for (int i = 0; i < row.count; ++i) {
             for (std::size_t x = block; x < end; x += lane_count()) {
                 has_all(x) ? smooth_pixels<kRadius, false>(row, row.signals[i], x, around)

@@ -20,10 +20,10 @@ constexpr float kLeastCosine = 0.01f;
 
 }  // namespace
 
-Touches touches_at(const SceneView& view, const ShadingPoint& at, const glm::vec3& direction) {
+Touches touches_at(const SceneView& view, const SkinPoint& at, const glm::vec3& direction) {
     Touches touches;
-    touches.gap = kErrors * glm::dot(glm::abs(at.geometric), at.surface.position_error);
-    const float cosine = std::max(std::abs(glm::dot(direction, at.geometric)), kLeastCosine);
+    touches.gap = kErrors * glm::dot(glm::abs(at.normal), at.surface.position_error);
+    const float cosine = std::max(std::abs(glm::dot(direction, at.normal)), kLeastCosine);
     const glm::vec3 reach = direction * (touches.gap / cosine);
     std::array<rc::Hit, 2 * Touches::kMost + 2> hits;
     const std::size_t met = rc::crossings(*view.snapshot.scene, at.surface.position - reach,
@@ -32,8 +32,8 @@ Touches touches_at(const SceneView& view, const ShadingPoint& at, const glm::vec
         const std::uint32_t part = hits[i].instance;
         if (!view.prepared.parts[part].is_solid_glass) continue;
         const Clearness clear = clearness(view, hits[i]);
-        if (part == at.part && clear.material == at.material) continue;
-        if (!(clear.glass > 0.0f) || std::abs(glm::dot(clear.outward, at.geometric)) < kSameNormal) continue;
+        if (part == at.part && clear.material == at.glass) continue;
+        if (!(clear.glass > 0.0f) || std::abs(glm::dot(clear.outward, at.normal)) < kSameNormal) continue;
         const Touch touch{part, clear.material, glm::dot(direction, clear.outward) < 0.0f};
         // On an edge a skin is met twice.
         const auto known = touches.other.begin() + static_cast<std::ptrdiff_t>(touches.count);

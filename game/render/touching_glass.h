@@ -31,7 +31,19 @@ struct Touches {
     float gap = 0.0f;  // metres: skins that lie this near, along the normal, are at one place
 };
 
+// A place on the skin of a body.
+struct SkinPoint {
+    const rc::SurfacePoint& surface;
+    glm::vec3 normal{0.0f};  // unit, of the triangle, either way
+    std::uint32_t part = 0;
+    const world::Material* glass = nullptr;
+};
+
 // The other bodies whose skin lies where a ray of this unit direction meets the skin at `at`, in the same plane.
-[[nodiscard]] Touches touches_at(const SceneView& view, const ShadingPoint& at, const glm::vec3& direction);
+[[nodiscard]] Touches touches_at(const SceneView& view, const SkinPoint& at, const glm::vec3& direction);
+[[nodiscard]] inline Touches touches_at(const SceneView& view, const ShadingPoint& at,
+                                        const glm::vec3& direction) {
+    return touches_at(view, {at.surface, at.geometric, at.part, at.material}, direction);
+}
 
 }  // namespace gh::render

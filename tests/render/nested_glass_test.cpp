@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 namespace gh {
@@ -130,6 +131,57 @@ TEST(NestedGlass, AHoleInGlassIsAir) {
     add_box(0.5f, true);
     studio.add_part(std::move(hollow), glass(1.5f));
     test::expect_mean(seen_through(studio), let_through({1.0, 1.5, 1.0, 1.5, 1.0}), 6e-5);
+}
+
+world::Material tinted(float ior, float left_by_a_metre) {
+    world::Material material = glass(ior);
+    material.attenuation_color = glm::vec3(left_by_a_metre);
+    material.attenuation_distance = 1.0f;
+    return material;
+}
+
+// What a point lamp 3 m above a floor gives it straight through what stands between, over what it gives without.
+void expect_straight_share(Studio& studio, double share, const char* what) {
+    studio.add_sheet(glm::vec3(0.0f), {0, 0, 10}, {10, 0, 0}, test::matte(glm::vec3(1.0f)));
+    studio.add_lamp(
+        {.name = {}, .shape = world::LampShape::Point, .position = {0, 3, 0}, .intensity = glm::vec3(9.0f)});
+    studio.open();
+    render::PathSettings settings = test::reference(4);
+    settings.caustics = render::Caustics::Unbent;
+    settings.max_depth = 1;  // what glass mirrors back to the floor is another story
+    const render::Environment night = test::even_light(0.0f);
+    settings.environment = &night;
+    // The picture is 1e-3 wide, so that its light is the middle's to 1e-6.
+    for (const double mean : test::means(studio, test::looking_down(), settings, 3))
+        EXPECT_NEAR(mean * 3.14159265358979, share, 2e-5) << what;
+}
+
+// With --unbent lamps shine straight through glass: past the same borders, and through as much of each body, as paths see.
+TEST(NestedGlass, StraightShadowRaysKnowWhichBodyTheyAreIn) {
+    {
+        Studio studio;
+        studio.add_box({-2, 1, -2}, {2, 2, 2}, tinted(1.5f, 0.7f));
+        const double r = reflectance(1.0, 1.5);
+        expect_straight_share(studio, (1 - r) * (1 - r) * 0.7, "one body");
+    }
+    {
+        Studio studio;
+        studio.add_box({-2, 1, -2}, {2, 2, 2}, tinted(1.5f, 0.7f));
+        studio.add_box({-1, 1.3f, -1}, {1, 1.6f, 1}, tinted(1.2f, 0.5f));
+        const double outer = 1 - reflectance(1.0, 1.5), inner = 1 - reflectance(1.5, 1.2);
+        expect_straight_share(studio, outer * outer * inner * inner * std::pow(0.7, 0.7) * std::pow(0.5, 0.3),
+                              "a body in a body");
+    }
+    for (const bool is_upper_first : {false, true}) {
+        Studio studio;
+        for (const bool is_upper : {is_upper_first, !is_upper_first})
+            studio.add_box({-2, is_upper ? 1.5f : 1.0f, -2}, {2, is_upper ? 2.0f : 1.5f, 2},
+                           tinted(1.5f, is_upper ? 0.5f : 0.7f));
+        // Of one index: the wall they share is no border.
+        const double r = reflectance(1.0, 1.5);
+        expect_straight_share(studio, (1 - r) * (1 - r) * std::sqrt(0.5 * 0.7),
+                              "two bodies that share a wall");
+    }
 }
 
 }  // namespace
