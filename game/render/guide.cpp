@@ -67,10 +67,10 @@ class GuideTracer {
             return false;
         }
         const float width = frame_.lens.pixel_angle() * hit.t * frame_.settings.texture_blur;
-        glm::vec3 emission;
-        note(plain_point(frame_.view, triangle, ray, hit, width, frame_.settings.texture_taps, emission), at,
-             *frame_.guide);
-        clean = frame_.light.emission_on[hit.instance] != 0 ? emission : glm::vec3(0.0f);
+        const PlainPoint plain =
+            plain_point(frame_.view, triangle, ray, hit, width, frame_.settings.texture_taps);
+        note(plain.guide, at, *frame_.guide);
+        clean = frame_.light.emission_on[hit.instance] != 0 ? plain.emission : glm::vec3(0.0f);
         return true;
     }
 

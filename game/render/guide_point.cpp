@@ -46,8 +46,7 @@ const GuideTriangle& GuideTriangles::of(const SceneView& view, const rc::Hit& hi
     triangle.is_plain = is_plain(*triangle.material);
     if (!triangle.is_plain) return triangle;
     triangle.is_textured = !mesh.uvs.empty() && view.prepared.has_textures[material] != 0;
-    const glm::mat3 to_world =
-        linear_part(view.snapshot.scene->instance(hit.instance).world_from_instance);
+    const glm::mat3 to_world = linear_part(view.snapshot.scene->instance(hit.instance).world_from_instance);
     const HitTriangle corners = corners_of(view, mesh, hit, to_world, triangle.is_textured);
     triangle.normal = unit_or(glm::cross(corners.edge1, corners.edge2), glm::vec3(0.0f));
     if (!triangle.is_textured) return triangle;
@@ -58,16 +57,18 @@ const GuideTriangle& GuideTriangles::of(const SceneView& view, const rc::Hit& hi
     return triangle;
 }
 
-GuidePoint plain_point(const SceneView& view, const GuideTriangle& triangle, const rc::Ray& ray,
-                       const rc::Hit& hit, float cone_width, float max_taps, glm::vec3& emission) {
+PlainPoint plain_point(const SceneView& view, const GuideTriangle& triangle, const rc::Ray& ray,
+                       const rc::Hit& hit, float cone_width, float max_taps) {
     const world::Material& material = *triangle.material;
     const glm::vec3 normal = triangle.normal == glm::vec3(0.0f) ? -ray.direction : triangle.normal;
-    GuidePoint point;
+    PlainPoint result;
+    GuidePoint& point = result.guide;
     point.part = hit.instance;
     point.position = ray.origin + ray.direction * hit.t;
     point.previous = previous_position(view, hit, point.position);
     point.geometric = glm::dot(normal, ray.direction) > 0.0f ? -normal : normal;
     glm::vec3 base_color(material.base_color);
+    glm::vec3& emission = result.emission;
     emission = material.emission;
     if (triangle.is_textured) {
         const Footprint footprint = footprint_of(triangle.gradients, ray.direction, normal, cone_width);
@@ -82,7 +83,7 @@ GuidePoint plain_point(const SceneView& view, const GuideTriangle& triangle, con
             emission *= look_up(material.emission_texture, world::TextureSlot::Emission);
     }
     point.albedo = guide_albedo(base_color, 0.0f);
-    return point;
+    return result;
 }
 
 }  // namespace gh::render

@@ -42,7 +42,7 @@ void note(const GuidePoint& point, std::size_t pixel, FilmPlanes& planes);
 // What all pixels have in common that show the same triangle: neighbours mostly do.
 struct GuideTriangle {
     std::uint32_t instance = rc::kNone, primitive = rc::kNone;  // kNone: of no pixel yet
-    bool is_plain = false;  // what is below counts only then
+    bool is_plain = false;                                      // what is below counts only then
     bool is_textured = false;
     const world::Material* material = nullptr;
     glm::vec3 normal{0.0f};  // unit; 0: it has no area
@@ -61,10 +61,14 @@ class GuideTriangles {
     std::array<GuideTriangle, kKept> kept_{};
 };
 
-// A hit of a plain surface, with no more looked up than the guide needs; its emission apart. The ray's direction is
-// unit; `cone_width` and `max_taps` as shading_point() has them.
-[[nodiscard]] GuidePoint plain_point(const SceneView& view, const GuideTriangle& triangle, const rc::Ray& ray,
-                                     const rc::Hit& hit, float cone_width, float max_taps,
-                                     glm::vec3& emission);
+struct PlainPoint {
+    GuidePoint guide;
+    glm::vec3 emission{0.0f};
+};
+
+// A hit of a plain surface, with no more looked up than the guide needs. The ray's direction is unit; `cone_width` and
+// `max_taps` as shading_point() has them.
+[[nodiscard]] PlainPoint plain_point(const SceneView& view, const GuideTriangle& triangle, const rc::Ray& ray,
+                                     const rc::Hit& hit, float cone_width, float max_taps);
 
 }  // namespace gh::render

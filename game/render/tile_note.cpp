@@ -29,18 +29,17 @@ void TileTracer::note_surface(const PathRay& path, const ShadingPoint& at) {
 bool TileTracer::note_plain(const PathRay& path, const rc::Hit& hit) {
     const GuideTriangle& triangle = triangles_.of(frame_.view, hit);
     if (!triangle.is_plain) return false;
-    glm::vec3 emission;
-    const GuidePoint point =
+    const PlainPoint plain =
         plain_point(frame_.view, triangle, path.ray, hit, path.cone_width * frame_.settings.texture_blur,
-                    frame_.settings.texture_taps, emission);
+                    frame_.settings.texture_taps);
     if (frame_.light.emission_on[hit.instance] != 0) {
         const bool is_bulb = frame_.view.prepared.parts[hit.instance].lamp != world::kNoIndex;
         glm::vec3 weight = path.weight * (is_bulb ? path.bulb_share : 1.0f);
         if (const world::Material* glass = path.media.top(); glass != nullptr)
-            weight *= absorbed(*glass, glm::distance(path.from, point.position));
-        pixels_[path.pixel].clean += weight * emission;
+            weight *= absorbed(*glass, glm::distance(path.from, plain.guide.position));
+        pixels_[path.pixel].clean += weight * plain.emission;
     }
-    note_thing(path, point);
+    note_thing(path, plain.guide);
     return true;
 }
 
