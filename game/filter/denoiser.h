@@ -7,7 +7,7 @@
 // share reprojection and geometry and are filtered apart; specular light has its own reprojection, by the virtual image,
 // and is blurred the less the smoother the surface. What is empty costs nothing.
 //
-// Cost      at 640x360 with AVX-512 on a busy core 7 core-ms for direct light, 13 with indirect, 20 with specular too; by
+// Cost      at 640x360 with AVX-512 on a busy core 6.5 core-ms for direct light, 11 with indirect, 16 with specular too; by
 //           stage see game/README.md. Memory: about 350 bytes a pixel.
 // Threads   rows over all threads; a Denoiser belongs to one caller at a time.
 // Same bits the result depends on the frames fed since forget() only: not on threads, not on the instruction set.
