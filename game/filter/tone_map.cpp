@@ -13,7 +13,7 @@ namespace {
 // The eye follows the light half way only (in stops): a dark room is to look dark, and a bright one bright.
 constexpr float kFollows = 0.5f;
 constexpr float kExposureOfOne = 0.63f;  // where the logarithmic mean of the radiance is 1
-constexpr float kLeastExposure = 0.02f, kMostExposure = 12.0f;
+constexpr float kLeastExposure = 0.02f, kMostExposure = 48.0f;  // a moonlit gallery needs 34
 constexpr float kDarkest = 1e-4f;                  // radiance below which darkness is just darkness
 constexpr float kToBright = 0.3f, kToDark = 2.0f;  // seconds to two thirds of the way
 
