@@ -102,6 +102,10 @@ int run_headless(const ReplayOptions& options, const input::Replay& replay, Sess
         progress.show(tick + 1);
     }
     if (auto closed = output->close(); !closed) return refuse(closed.error());
+    if (options.verifies && replay.is_cut_short) {
+        return refuse({fmt::format("{}: is cut short; the {} ticks that are whole are true",
+                                   options.file.string(), replay.ticks())});
+    }
     if (options.verifies) {
         std::cout << fmt::format("verified {} ticks, hash {:016x}\n", replay.ticks(), last_hash);
     } else {
@@ -142,7 +146,9 @@ int replay(const ReplayOptions& options) {
                                                       static_cast<std::uint32_t>(replay->header.seed));
     if (const auto fits = input::check_fits(replay->header, here, options.file.string()); !fits)
         return refuse(fits.error());
-    if (replay->is_cut_short) {
+    if (replay->is_cut_short && replay->ticks() == 0)
+        return refuse({options.file.string() + ": is cut short in its first second; there is nothing to play"});
+    if (replay->is_cut_short && !options.verifies) {
         std::cerr << "glasshouse: " << options.file.string() << ": is cut short; playing the "
                   << replay->ticks() << " ticks that are whole\n";
     }
