@@ -44,6 +44,8 @@ def resize(desk):
 def pause(desk):
     if desk.pointer_can_leave():
         fail("the pointer leaves the window while the game is played")
+    desk.xdotool("key", "F3")  # the profiler's figures go on behind the menu, and they may
+    time.sleep(0.5)
     before_menu = desk.screenshot("5_before_menu")
     desk.xdotool("key", "Escape")
     time.sleep(1.5)
