@@ -11,6 +11,7 @@
 // foreach_target must come before what is compiled once per target.
 #include "filter/simd-inl.h"
 #include "filter/taps-inl.h"
+#include "filter/vector-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gh::filter::HWY_NAMESPACE {
@@ -24,20 +25,8 @@ constexpr float kLooseNormal = 0.5f;
 // Of a pixel. Rounding noise about a whole pixel would else blur a little and tear neighbours apart.
 constexpr float kPlaceSteps = 256.0f;
 
-struct Vector {
-    Floats x, y, z;
-};
-
-static HWY_INLINE Vector load3(const float* const from[3], std::size_t x) {
-    return {load(from[0] + x), load(from[1] + x), load(from[2] + x)};
-}
-
 static HWY_INLINE Vector minus(const Vector& p, const float* q) {
-    return {hn::Sub(p.x, splat(q[0])), hn::Sub(p.y, splat(q[1])), hn::Sub(p.z, splat(q[2]))};
-}
-
-static HWY_INLINE Vector plus(const Vector& a, const Vector& b) {
-    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+    return minus(p, splat3(q));
 }
 
 static HWY_INLINE Floats along(const float* axis, const Vector& d) {
@@ -80,7 +69,8 @@ static HWY_INLINE Floats to_steps(Floats place) {
 }
 
 static HWY_INLINE Then find_place(const ReprojectRow& row, std::size_t x) {
-    Vector here = load3(row.position, x), before = load3(row.previous, x);
+    Vector here = load3_at(row.position, static_cast<std::ptrdiff_t>(x)),
+           before = load3_at(row.previous, static_cast<std::ptrdiff_t>(x));
     const PicturePoint surface = project(row.then, before);
     PicturePoint then = surface;
     if (row.reflected != nullptr) {
@@ -185,7 +175,7 @@ static void weigh_taps(const ReprojectRow& row, std::size_t x, const Then& then)
     const TapPlace place = place_of(first, usable);
 
     Wanted wanted;
-    wanted.normal = load3(row.normal, x);
+    wanted.normal = load3_at(row.normal, static_cast<std::ptrdiff_t>(x));
     wanted.nearness = then.surface.nearness;
     wanted.tolerance = hn::Mul(hn::Abs(wanted.nearness), splat(kNearnessTolerance));
     wanted.least_cosine = splat(kNormalTolerance);

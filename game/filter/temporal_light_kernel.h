@@ -6,6 +6,8 @@
 
 namespace gh::filter {
 
+inline constexpr float kToSky = 1e4f;  // metres
+
 // What is known of the lit pixels, each plane at pixel (0, 0).
 struct LitPlanes {
     const std::uint32_t* part;

@@ -15,7 +15,6 @@ HWY_BEFORE_NAMESPACE();
 namespace gh::filter::HWY_NAMESPACE {
 
 constexpr float kSameDistance = 0.03f;  // of a distance from the eye
-constexpr float kFar = 1e4f;            // metres to the sky
 constexpr float kLeastWeight = 1e-3f;   // of a tap
 constexpr float kNowhere = -1e6f;
 // Of a pixel. Rounding noise about a whole pixel would else blur a little.
@@ -54,11 +53,11 @@ static HWY_INLINE Motion motion_of(const SpreadRow& row, std::size_t x, const Se
     const float at_y = static_cast<float>(row.y) + 0.5f + row.jitter[1];
     const Vector eye = splat3(row.eye);
     const Vector way = plus(splat3(row.corner), scaled(splat3(row.right), at_x));
-    const Vector sky = plus(eye, scaled(way, hn::Div(splat(kFar), length(way))));
+    const Vector sky = plus(eye, scaled(way, hn::Div(splat(kToSky), length(way))));
     const auto width = static_cast<std::size_t>(row.width);
     const Vector was = choose(is_sky, sky, load3(row.previous, x, width));
     Motion motion;
-    motion.distance = choose(is_sky, splat(kFar), length(minus(here.position, eye)));
+    motion.distance = choose(is_sky, splat(kToSky), length(minus(here.position, eye)));
     const Vector from_eye = minus(was, splat3(row.eye_before));
     motion.was_distance = length(from_eye);
     motion.x = motion.y = hn::Zero(F());

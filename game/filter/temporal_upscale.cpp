@@ -20,7 +20,6 @@ namespace {
 
 constexpr float kNearness = 2.5f;  // a sample d pixels away counts exp(-kNearness d^2)
 constexpr float kReach = 2.0f;     // of a lit pixel's size: how far one surface leaves its own plane
-constexpr float kFar = 1e4f;       // metres to the sky
 constexpr int kBorder = 16;        // around a bordered plane's pixels: two repeat the outermost
 
 bool is_finite(const glm::vec3& v) {
@@ -104,7 +103,7 @@ void TemporalUpscaler::demodulate_row(const GuidedFrame& frame, int v) {
         lit_.part.at(u, v) = guide.part[at];
         lit_.normal.set(u, v, guide.geometric[at]);
         lit_.position.set(u, v, guide.position[at]);
-        lit_.distance.at(u, v) = is_sky ? kFar : glm::distance(guide.lens.eye, guide.position[at]);
+        lit_.distance.at(u, v) = is_sky ? kToSky : glm::distance(guide.lens.eye, guide.position[at]);
     }
 }
 
