@@ -116,7 +116,7 @@ int run_headless(const ReplayOptions& options, const input::Replay& replay, Sess
                                  outcome_words(state.rules), int{state.rules.lenses_taken_count},
                                  session.level->lenses.size(), output->pictures(), last_hash);
     }
-    return kExitFine;
+    return replay.is_cut_short ? kExitUnusable : kExitFine;
 }
 
 int run_in_window(const ReplayOptions& options, const input::Replay& replay, Session& session) {

@@ -113,8 +113,8 @@ def recordings():
     with open(short, "wb") as file:
         file.write(whole[:int(len(whole) * 0.3)])
     done = run("replay", short)
-    check("a truncated recording plays to its last whole second, and says so",
-          done.returncode == 0 and "short.rec: is cut short" in done.stderr, done.stdout + done.stderr)
+    check("a truncated recording plays to its last whole second, says so and exits with 2",
+          done.returncode == 2 and "short.rec: is cut short" in done.stderr, done.stdout + done.stderr)
     done = run("replay", short, "--verify")
     check("but it is not verified", done.returncode == 2 and "verified" not in done.stdout, done.stdout + done.stderr)
     check("and how much of it is true is said", "ticks that are whole are true" in done.stderr, done.stderr)
@@ -125,7 +125,7 @@ def recordings():
         refuses("replay", path, naming=name + ".rec")
 
     done = run("replay", short, "--frames", "frames", "--every", "120", "--size", "64x36", "--audio", "sound.wav")
-    check("replay writes frames and sound", done.returncode == 0, done.stderr)
+    check("replay writes frames and sound of what is whole", done.returncode == 2, done.stderr)
     frames = os.listdir(os.path.join(OUT, "frames"))
     check("there is a frame for every 120 ticks", len(frames) >= 2 and all(f.endswith(".png") for f in frames), str(frames))
     with wave.open(os.path.join(OUT, "sound.wav")) as sound:
