@@ -3,26 +3,28 @@ them. A leaf is modelled from its hinge along +x; it stands 1 cm off the floor."
 import meshkit
 import plan
 import scene
+import signs
 from meshkit import ball, block, joined, lathe, tube
 
 THICK = 0.05
 
+# a right angle and no more: hinged in the middle of the wall, a leaf turned further would sink into the jamb
 # node: (opening, hinge's end "low" or "high" along the wall, share of the width, open angle, wood, title)
 LEAVES = {
-    "door_cloakroom": ("cloakroom_foyer", "low", 1.0, -95, "oak", "Cloakroom door"),
-    "door_cloakroom_west": ("cloakroom_west", "low", 1.0, 95, "oak", "Gallery of Painters"),
-    "door_lodge": ("lodge_foyer", "low", 1.0, 95, "oak", "Porter's lodge"),
-    "door_lodge_east": ("lodge_east", "high", 1.0, -95, "oak", "Sculpture Gallery"),
-    "door_vestibule_left": ("vestibule_foyer", "low", 0.5, 95, "oak_dark", "Vestibule"),
-    "door_vestibule_right": ("vestibule_foyer", "high", 0.5, -95, "oak_dark", "Vestibule"),
-    "door_store": ("store_east", "low", 1.0, 95, "iron_green", "Lamp store"),
-    "door_hall_east_left": ("hall_east", "low", 0.5, -95, "oak_dark", "Hall of Mirrors"),
-    "door_hall_east_right": ("hall_east", "high", 0.5, 95, "oak_dark", "Hall of Mirrors"),
-    "door_cabinet_left": ("hall_cabinet", "low", 0.5, 95, "oak_dark", "Lens Cabinet"),
-    "door_cabinet_right": ("hall_cabinet", "high", 0.5, -95, "oak_dark", "Lens Cabinet"),
-    "door_cabinet_library": ("cabinet_library", "high", 1.0, -95, "oak_dark", "Reading Room"),
-    "door_cabinet_workshop": ("cabinet_workshop", "low", 1.0, -95, "oak_dark", "Workshop"),
-    "door_workshop_east": ("workshop_east", "high", 1.0, 95, "oak", "Workshop"),
+    "door_cloakroom": ("cloakroom_foyer", "low", 1.0, -90, "oak", "Cloakroom door"),
+    "door_cloakroom_west": ("cloakroom_west", "low", 1.0, 90, "oak", "Gallery of Painters"),
+    "door_lodge": ("lodge_foyer", "low", 1.0, 90, "oak", "Porter's lodge"),
+    "door_lodge_east": ("lodge_east", "high", 1.0, -90, "oak", "Sculpture Gallery"),
+    "door_vestibule_left": ("vestibule_foyer", "low", 0.5, 90, "oak_dark", "Vestibule"),
+    "door_vestibule_right": ("vestibule_foyer", "high", 0.5, -90, "oak_dark", "Vestibule"),
+    "door_store": ("store_east", "low", 1.0, 90, "iron_green", "Lamp store"),
+    "door_hall_east_left": ("hall_east", "low", 0.5, -90, "oak_dark", "Hall of Mirrors"),
+    "door_hall_east_right": ("hall_east", "high", 0.5, 90, "oak_dark", "Hall of Mirrors"),
+    "door_cabinet_left": ("hall_cabinet", "low", 0.5, 90, "oak_dark", "Lens Cabinet"),
+    "door_cabinet_right": ("hall_cabinet", "high", 0.5, -90, "oak_dark", "Lens Cabinet"),
+    "door_cabinet_library": ("cabinet_library", "high", 1.0, -90, "oak_dark", "Reading Room"),
+    "door_cabinet_workshop": ("cabinet_workshop", "low", 1.0, -90, "oak_dark", "Workshop"),
+    "door_workshop_east": ("workshop_east", "high", 1.0, 90, "oak", "Workshop"),
 }
 
 
@@ -71,7 +73,7 @@ def switch(name, at, turn_deg, group, title):
     plate = block(-0.045, -0.012, -0.07, 0.045, 0.0, 0.07, "brass", 0.006)
     collar = lathe([(0.0, 0.0), (0.022, 0.0), (0.020, 0.012), (0.0, 0.014)], "brass", 14).turned(90, "x").moved(0, -0.012, 0)
     lever = tube([(0, -0.02, 0.0), (0, -0.05, 0.018)], 0.006, "brass", 8)
-    tip = ball(0.011, "marble_white", 10, 6).moved(0, -0.055, 0.021)
+    tip = ball(0.011, "marble_white", 6, 4).moved(0, -0.055, 0.021)
     scene.mesh("switch_" + name, joined([plate, collar, lever, tip]), at, turn_deg, kind="switch", group=group, title=title)
 
 
@@ -86,6 +88,4 @@ def front_door():
     for z in (0.6, 1.6, 2.5):
         shape.add(block(-x + 0.05, y + 0.085, z, x - 0.05, y + 0.1, z + 0.05, "iron", 0.004))
     scene.mesh("street_door", shape)
-    sign = block(-0.34, y + 0.2, h + 0.30, 0.34, y + 0.24, h + 0.52, "iron", 0.01)
-    scene.mesh("exit_sign_box", sign)
-    scene.mesh("exit_sign", block(-0.31, y + 0.238, h + 0.33, 0.31, y + 0.246, h + 0.49, "exit_sign", 0.002), kind="glow")
+    signs.exit_sign("street", (0.0, y + 0.2, h + 0.43), 180, width=0.6)

@@ -12,6 +12,7 @@ import mouldings
 import plan
 import scene
 import sculpture
+import signs
 import statues
 import workshop_things as things
 from meshkit import joined, lathe
@@ -151,6 +152,7 @@ def cloakroom():
     scene.mesh("cloak_clock", f.longcase_clock(), (-13.55, -6.95, 0), 0)
     lamps.pendant("cloak", (-9.4, -7.9, 2.3), 3.2, "cloak", 2.4, 2.3)
     lamps.table_lamp("cloak_desk", (-10.3, -10.25, 1.06), 90, "cloak", 2.4, 1.0)
+    signs.exit_sign("cloak", (-8.4, -8.8, 2.62), -90)
     doors.switch("cloak", (-8.4, -7.8, 1.25), -90, "cloak", "Cloakroom lamp")
 
 
@@ -169,6 +171,7 @@ def lodge():
     scene.mesh("lodge_stove_fire", fire, (9.05, -7.35, 0), -25, kind="glow")
     light.bulb("lodge_stove", (9.05 - 0.34 * math.sin(math.radians(-25)) * -1.0, -7.35 - 0.34 * math.cos(math.radians(25)), 0.46), 0.5, 1.5, "", 0.03, (1.0, 0.34, 0.08))
     lamps.sconce("lodge_wall", (10.1, -11.0, 2.1), 180, "lodge", 1.1, 2.0)
+    signs.exit_sign("lodge", (8.4, -8.8, 2.62), 90)
     doors.switch("lodge", (8.4, -7.9, 1.25), 90, "lodge", "Lodge lamp")
 
 
@@ -177,6 +180,7 @@ def store():
     scene.mesh("store_crates_south", f.crates(4), (6.4, 4.6, 0), 90)
     scene.mesh("store_shelves", things.lamp_shelves(1.9, 2.1, 9), (6.2, 8.0, 0), 0, smooth_deg=50.0)
     lamps.sconce("store", (8.0, 6.6, 1.9), -90, "store", 1.8, 2.0)
+    signs.exit_sign("store", (8.0, 5.0, 2.515), -90)
     doors.switch("store", (8.0, 6.1, 1.25), -90, "store", "Store lamp")
 
 

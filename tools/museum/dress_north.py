@@ -11,6 +11,7 @@ import mirrors
 import mouldings
 import plan
 import scene
+import signs
 import statues
 import workshop_things as things
 from meshkit import joined, lathe, slab, sweep, tube
@@ -100,6 +101,7 @@ def library():
     lamps.table_lamp("library_desk", (-8.9, 21.9, Z + 0.785), 90, "library", 4.5, 1.1)
     lamps.pendant("library", (-10.3, 20.4, 3.25), 4.6, "library", 3.0, 2.5)
     scene.mesh("globe", instruments.globe(), (-5.3, 23.4, Z))
+    signs.exit_sign("library", (-4.0, 21.8, 3.44), -90, Z)
     doors.switch("library", (-9.4, 18.6, Z + 1.25), 180, "library", "Reading room lamps")
 
 
@@ -130,6 +132,7 @@ def workshop():
         scene.mesh(f"bench_lens_frame_{i}", frame, (x, y, top), 20 * i)
     lamps.pendant("workshop", (8.4, 21.4, 3.0), 4.6, "workshop", 4.0, 2.0)
     lamps.table_lamp("workshop_bench", (9.2, 24.6, top), 0, "workshop", 3.5, 1.0)
+    signs.exit_sign("workshop", (4.0, 21.8, 3.64), 90, Z)
     doors.switch("workshop", (9.7, 18.6, Z + 1.25), 180, "workshop", "Workshop lamps")
 
 

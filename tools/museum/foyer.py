@@ -40,7 +40,7 @@ def build(folder):
     mouldings.coffers("library", [-12.86, -10.9, -8.5, -6.1, -4.14], [18.74, 20.8, 22.9, 24.86], 4.6)
     mouldings.joists("cloakroom", (-10.1, -8.75, -7.35), True)
     mouldings.joists("lodge", (-10.1, -8.75, -7.35), True)
-    mouldings.joists("store", (4.9, 5.9, 6.9), True, depth=0.16)
+    mouldings.joists("store", (4.15, 5.8, 7.0), True, depth=0.16)
     mouldings.joists("workshop", (5.2, 6.6, 10.2, 11.6), False, depth=0.24)
     light.skies()
     light.stars()

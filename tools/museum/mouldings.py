@@ -89,10 +89,20 @@ def surround_openings():
         outer = _flip_if_inside_out(outer)
         inner = outer.turned(180)
         shape.add(outer, inner)
+        shape.add(_lining(width / 2 - 0.003, height - 0.003, material))
         if grand:
             shape.add(_pediment(width, height, material), _pediment(width, height, material).turned(180))
         shape = shape if across_x else shape.turned(90)
         scene.mesh("surround_" + name, shape, ((x0 + x1) / 2, (y0 + y1) / 2, z0))
+
+
+def _lining(half, height, material):
+    """The jambs and the head of an opening, as deep as its wall."""
+    shape = Shape()
+    shape.points = [(x, y, z) for y in (-0.2, 0.2) for x, z in ((-half, 0.0), (-half, height), (half, height), (half, 0.0))]
+    for i in range(3):
+        shape.face([i, i + 4, i + 5, i + 1], material)
+    return shape
 
 
 def _pediment(width, height, material):

@@ -75,7 +75,7 @@ MATERIALS = {
     "amber_glass": _m("glass", (1.0, 1.0, 1.0), 0.0, clear=True, absorb=((1.0, 0.55, 0.15), 0.12)),
     "enamel_lit": _m("metal", (0.85, 0.80, 0.70), 0.6, glow=(WARM, 0.9)),
     "enamel_green": _m("metal", (0.02, 0.16, 0.07), 0.15),
-    "exit_sign": _m("metal", (0.02, 0.1, 0.04), 0.5, glow=((0.15, 1.0, 0.4), 0.8)),
+    "exit_sign": _m("metal", (0.0, 0.0, 0.0), 0.5, glow=((1.0, 1.0, 1.0), 0.55), glow_image="exit_sign"),
     "ember": _m("metal", (0.1, 0.02, 0.01), 0.8, glow=((1.0, 0.25, 0.05), 1.2)),
 }
 for _name in paintings.NAMES:
@@ -131,6 +131,10 @@ def _build(name, recipe):
     if "glow" in recipe:
         surface["Emission"].default_value = (*recipe["glow"][0], 1.0)
         surface["Emission Strength"].default_value = recipe["glow"][1]
+    if "glow_image" in recipe:
+        node = nodes.new("ShaderNodeTexImage")
+        node.image = _image(recipe["glow_image"])
+        links.new(node.outputs["Color"], surface["Emission"])
     if recipe.get("clear"):
         surface["Transmission"].default_value = 1.0
         surface["IOR"].default_value = 1.5

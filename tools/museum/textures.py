@@ -5,6 +5,8 @@ import os
 import bpy
 import numpy as np
 
+import pictograms
+
 
 def noise(size, cells, seed, octaves=5, gain=0.5):
     """Periodic value noise in 0..1: `cells` lattice cells across, each octave twice as fine."""
@@ -250,6 +252,7 @@ RECIPES = {
     "paper_stripe": lambda: _paper_stripe(512), "boards": lambda: _boards(512),
     "spine_red": lambda: _spine(256, (.30, .06, .05), 63), "spine_green": lambda: _spine(256, (.08, .18, .10), 64),
     "spine_blue": lambda: _spine(256, (.09, .11, .24), 65), "spine_tan": lambda: _spine(256, (.42, .27, .13), 66),
+    "exit_sign": pictograms.exit_sign,
     "oak": lambda: grain(512, (.55, .37, .20), (.34, .20, .10), 81),
     "oak_dark": lambda: grain(512, (.33, .19, .10), (.16, .085, .045), 82),
     "plaster_cream": lambda: plaster(512, (.78, .72, .60), 91),
