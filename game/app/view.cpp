@@ -14,7 +14,8 @@ namespace gh::app {
 
 namespace {
 
-constexpr float kClamp = 2.0f;  // multiples of white, as RendererOptions has it
+constexpr float kClamp = 2.0f;         // multiples of white, as RendererOptions has it
+constexpr float kMostVeiling = 40.0f;  // multiples of white
 constexpr float kDegree = 0.017453293f;
 constexpr float kLeanRoll = 0.06f;  // radians at a full lean
 
@@ -190,7 +191,9 @@ void View::adapt(float seconds) {
 }
 
 const Image8& View::develop_at(float exposure, std::uint32_t frame, float stops, const Jobs& jobs) {
-    filter::tone_map(radiance(), exposure * std::exp2(stops), frame, jobs, picture_);
+    const float brightened = exposure * std::exp2(stops);
+    glare_.veil(radiance(), {.most = kMostVeiling / brightened}, jobs, veiled_);
+    filter::tone_map(veiled_, brightened, frame, jobs, picture_);
     return picture_;
 }
 

@@ -1,4 +1,4 @@
-// app/view.h - from a world to the bytes of a picture: camera, renderer, exposure, tone map, in this order.
+// app/view.h - from a world to the bytes of a picture: camera, renderer, exposure, glare, tone map, in this order.
 #pragma once
 
 #include "app/film_denoiser.h"
@@ -9,6 +9,7 @@
 #include "base/image.h"
 #include "base/jobs.h"
 #include "base/result.h"
+#include "filter/glare.h"
 #include "render/camera.h"
 #include "render/environment.h"
 #include "render/film.h"
@@ -106,6 +107,8 @@ class View {
     Reshading reshading_;
     filter::Plane change_;
     filter::Pinhole lens_, lens_before_;  // of the last two path-traced pictures
+    filter::Glare glare_;
+    Image veiled_;
     Image8 picture_;
     float exposure_ = 0.0f;  // 0: none yet
 };

@@ -7,6 +7,7 @@
 #include "filter/albedo.h"
 #include "filter/denoiser.h"
 #include "filter/enlarge.h"
+#include "filter/glare.h"
 #include "filter/isa.h"
 #include "filter/synthetic.h"
 #include "filter/temporal_upscale.h"
@@ -193,6 +194,9 @@ void bench_showing(const Bench& b) {
     const auto add = [&](int) { upscaler.add({small, kStep, {0, 0}, guide}, b.jobs, large); };
     add(0);
     b.row("add up to the window", add, answer());
+    filter::Glare glare;
+    gh::Image veiled;
+    b.row("glare in the window", [&](int) { glare.veil(large, {}, b.jobs, veiled); }, answer());
     gh::Image8 bytes;
     b.row(
         "tone map the window",
