@@ -41,6 +41,10 @@ struct BinaryTree {
 struct SplitCosts {
     std::uint32_t max_leaf = 8;
     float step = 0.7f;  // of a binary node
+    // Of one whose surface is more than this share of the root's: so many rays come by that it stays in the caches, and
+    // there are few of them. What is cut there ends the large leaves that nearly every ray would look into for nothing.
+    float step_if_large = 0.4f;
+    float large = 1e-3f;
     float leaf = 1.0f;  // of a leaf whatever it holds
     float item = 0.3f;  // of each thing in it
 };

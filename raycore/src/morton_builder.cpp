@@ -55,7 +55,7 @@ class MortonBuilder {
     }
 
     void sort(std::span<BuildRef> refs) {
-        const build::RangeCutter unsorted(refs, {});
+        build::RangeCutter unsorted(refs, {});
         const kernel::BinGrid grid = code_grid(unsorted.whole(refs.size()).centres);
         for_blocks(refs.size(), [&](std::size_t i) {
             std::uint64_t code = 0;

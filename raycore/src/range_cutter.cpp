@@ -20,8 +20,8 @@ constexpr std::size_t kRefsAtATime = 16384;    // what they take at a time, howe
 RangeCutter::RangeCutter(std::span<BuildRef> refs, const SplitCosts& costs)
     : refs_(refs.data()), costs_(costs), kernels_(active_build_kernels()) {}
 
-Range RangeCutter::whole(std::size_t n) const {
-    return sum_in_parallel(
+Range RangeCutter::whole(std::size_t n) {
+    const Range all = sum_in_parallel(
         BlockedRange(0, n, kRefsAtATime), Range{0, n, kNoBox, kNoBox},
         [&](const auto& part, Range sum) {
             kernels_.measure(refs_ + part.begin(), part.size(), sum.boxes, sum.centres);
@@ -32,6 +32,8 @@ Range RangeCutter::whole(std::size_t n) const {
             grow(a.centres, b.centres);
             return a;
         });
+    large_area_ = costs_.large * half_area(all.boxes);
+    return all;
 }
 
 void RangeCutter::measure(std::size_t begin, std::size_t end, Range& range) const {
@@ -61,7 +63,8 @@ bool RangeCutter::pays(const Range& range, float split_cost) const {
     if (range.size() > costs_.max_leaf) return true;
     const float area = half_area(range.boxes);
     const float as_leaf = area * (costs_.leaf + costs_.item * float(range.size()));
-    return area * (costs_.step + costs_.leaf) + costs_.item * split_cost < as_leaf;
+    const float step = area > large_area_ ? costs_.step_if_large : costs_.step;
+    return area * (step + costs_.leaf) + costs_.item * split_cost < as_leaf;
 }
 
 ObjectSplit RangeCutter::object_split(const Range& range) const {

@@ -27,8 +27,9 @@ class RangeCutter {
   public:
     RangeCutter(std::span<BuildRef> refs, const SplitCosts& costs);
 
-    // All refs, measured by several threads.
-    [[nodiscard]] Range whole(std::size_t n) const;
+    // All refs, measured by several threads: the root, whose surface tells from here on which ranges are large. (A cutter
+    // that was never asked for it takes none for large.)
+    [[nodiscard]] Range whole(std::size_t n);
     // Tight boxes and centres of a part.
     [[nodiscard]] Range measured(std::size_t begin, std::size_t end) const;
     // The same in place. (Where the value returned was assigned, GCC 12 under the thread sanitizer gave the temporary half
@@ -65,6 +66,7 @@ class RangeCutter {
 
     BuildRef* refs_;
     SplitCosts costs_;
+    float large_area_ = kHuge;
     const kernel::BuildKernels& kernels_;
 };
 

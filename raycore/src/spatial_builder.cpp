@@ -24,6 +24,9 @@ constexpr std::size_t kPiecesAtATime = 16384;
 // 1e-4 makes the museum's trees a twentieth larger and 2 % of one of four kinds of rays faster.
 constexpr float kOverlapOfRoot = 1e-3f;
 constexpr float kOverlapOfRange = 0.2f;
+// And a plane is worth its pieces only where it costs less than this share of the best halves: what gains less scatters
+// walls, which any-hit rays had better meet whole and early.
+constexpr float kWorthPieces = 0.9f;
 constexpr std::int32_t kSlabs = 8;  // 16 take a tenth longer and lead to no better trees
 
 float overlap(const GrowingBox& a, const GrowingBox& b) {
@@ -117,7 +120,8 @@ class SpatialBuilder {
         }
         const SlabGrid grid = slabs_over(plot.range.boxes);
         const Split split = best_plane(plot.range, grid);
-        if (split.axis < 0 || !(split.cost < objects.cost) || !cutter_.pays(plot.range, split.cost))
+        if (split.axis < 0 || !(split.cost < kWorthPieces * objects.cost) ||
+            !cutter_.pays(plot.range, split.cost))
             return false;
         if (!build::RangeCutter::leaves_depth(depth, split.left_count, split.right_count)) return false;
 

@@ -135,9 +135,11 @@ static inline void shear_eight(PacketRays& rays, int at, const EightRays& in, st
     rays.up |= std::uint64_t{less_equal_bits(splat(0.0f), dz) & fit} << at;
 }
 
-// ray_setup.inl's aim, for the eight rays of `fit` at lane `at`; `t_max` is finite.
-static inline void aim_eight(PacketRays& rays, int at, const EightRays& in, std::uint32_t fit,
-                             const PacketPadding& padding, LaneHulls& hulls) {
+// ray_setup.inl's aim, for the eight rays of `fit` at lane `at`; `t_max` is finite. Inlined by force: called, it spills and
+// reloads the hulls for every eight rays.
+__attribute__((always_inline)) static inline void aim_eight(PacketRays& rays, int at, const EightRays& in,
+                                                            std::uint32_t fit, const PacketPadding& padding,
+                                                            LaneHulls& hulls) {
     const TreeBounds& tree = padding.tree;
     shear_eight(rays, at, in, fit);
     rays.fit |= std::uint64_t{fit} << at;
