@@ -1,5 +1,6 @@
 #include "app/view.h"
 
+#include "filter/jitter.h"
 #include "filter/tone_map.h"
 #include "record/picture.h"
 #include "world/eye.h"
@@ -147,6 +148,11 @@ void View::expose_next(const render::SceneView& scene, const render::Camera& cam
 
 void View::expose(const render::SceneView& scene, const render::Camera& camera,
                   const render::PathSettings& settings, std::uint32_t frame, const Jobs& jobs) {
+    trace(scene, camera, settings, frame, false, jobs);
+}
+
+void View::trace(const render::SceneView& scene, const render::Camera& camera,
+                 const render::PathSettings& settings, std::uint32_t frame, bool adds_up, const Jobs& jobs) {
     if (settings.fills_planes) reshading_.ask_again(scene, jobs, change_);
     render::render_path(scene, camera, settings, frame, jobs, film_);
     is_added_up_ = false;
@@ -154,7 +160,7 @@ void View::expose(const render::SceneView& scene, const render::Camera& camera,
     reshading_.note(camera, settings, frame, film_);
     lens_before_ = lens_;
     lens_ = {film_.planes.eye, film_.planes.corner, film_.planes.right, film_.planes.down};
-    filter::DenoiseSettings filtering;
+    filter::DenoiseSettings filtering{.adds_up = adds_up};
     // A firefly is what stands out and is brighter than four times white.
     filtering.mend.floor = std::min(filtering.mend.floor, 4.0f / kClamp * settings.most_indirect);
     denoiser_.denoise(film_, jobs, filtering, change_);
@@ -165,10 +171,16 @@ void View::expose_next(const render::SceneView& scene, const render::Camera& cam
                        const Jobs& jobs) {
     resize(shape.lit.x, shape.lit.y);
     if (exposure_ > 0.0f) settings.most_indirect = kClamp / exposure_;
+    if (shape.step == 1) {  // every pixel brings along what a guide would say
+        guided_.forget();
+        settings.jitter = filter::halton_jitter(frame);
+        trace(scene, camera, settings, frame, true, jobs);
+        return;
+    }
     settings.jitter =
         guided_.begin(scene, camera, {.texture_taps = settings.texture_taps}, frame, shape, jobs);
     settings.texture_blur = GuidedPicture::texture_blur(shape.step);
-    expose(scene, camera, settings, frame, jobs);
+    trace(scene, camera, settings, frame, false, jobs);
     guided_.add(film_.radiance, jobs, added_up_);
     is_added_up_ = true;
 }

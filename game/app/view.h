@@ -97,6 +97,8 @@ class View {
     [[nodiscard]] const Image8& picture() const { return picture_; }
 
   private:
+    void trace(const render::SceneView& scene, const render::Camera& camera,
+               const render::PathSettings& settings, std::uint32_t frame, bool adds_up, const Jobs& jobs);
     [[nodiscard]] const Image& radiance() const { return is_added_up_ ? added_up_ : film_.radiance; }
 
     render::Film film_;

@@ -138,15 +138,19 @@ void Denoiser::denoise(const GBuffer& surfaces, const Light& light, const Denois
     settle_tracks(step);
     const std::size_t count = smooth_tracks(step, all);
     add_atrous(guides_, std::span(all).first(count), passes);
+    const Plane& known_change = asks_change(step) ? change_ : light.direct_change;
+    Plane3& remade = settings.adds_up ? remade_ : out;
     passes.begin(0);
     passes.add(remodulate_rows({.direct = direct_.smooth,
                                 .indirect = indirect_.smooth,
                                 .specular = specular_.smooth,
                                 .clean = &light.clean,
                                 .gloss = &surfaces.gloss},
-                               surfaces.albedo, out));
+                               surfaces.albedo, remade));
+    if (settings.adds_up) pictures_.add_rows(surfaces, remade, known_change, passes, out);
     passes.add(ends.after);
     passes.run(surfaces.height(), jobs);
+    settings.adds_up ? pictures_.finish(surfaces) : pictures_.forget();
 
     seen_.lens = surfaces.lens;
     seen_.part = surfaces.part;

@@ -3,7 +3,7 @@
 //   filter::Denoiser denoiser;                                  // once; forget() after a cut
 //   denoiser.denoise(surfaces, light, {}, jobs, radiance);      // every frame, in order
 //
-// mend -> demodulate -> reproject -> accumulate -> settle -> variance -> a-trous -> remodulate. Direct and indirect light
+// mend -> demodulate -> reproject -> accumulate -> settle -> variance -> a-trous -> remodulate -> add up. Direct and indirect light
 // share reprojection and geometry and are filtered apart; specular light has its own reprojection, by the virtual image,
 // and is blurred the less the smoother the surface. What is empty costs nothing.
 //
@@ -20,6 +20,7 @@
 #include "filter/gbuffer.h"
 #include "filter/guides.h"
 #include "filter/mend.h"
+#include "filter/picture_mean.h"
 #include "filter/reproject.h"
 #include "filter/temporal.h"
 
@@ -41,6 +42,8 @@ struct DenoiseSettings {
     float settle_sigmas = 2.0f;
     // Light::change_then counts so many times: a little noise for a moment is less to be seen than light that lingers.
     float change_sharpness = 4.0f;
+    // Whether pictures are added up at the end (picture_mean.h): for those taken through other places of their pixels.
+    bool adds_up = false;
 };
 
 class Denoiser {
@@ -87,6 +90,8 @@ class Denoiser {
     Track direct_, indirect_, specular_;
     Plane stiffness_;
     Plane change_;
+    Plane3 remade_;  // before pictures are added up
+    PictureMean pictures_;
 };
 
 }  // namespace gh::filter

@@ -12,9 +12,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace gh::filter::HWY_NAMESPACE {
 
-constexpr float kStillPictures = 8.0f;   // that are added up where nothing moves ...
-constexpr float kMovingPictures = 4.0f;  // ... and where each frame moves them
-
 struct Cubic {
     Floats weight[4];
 };
@@ -76,13 +73,14 @@ static HWY_INLINE void smooth_vector(const SmoothRow& row, std::size_t x) {
         const Vector before = clamped(picture_at(row, at_x, at_y, seen), low, high);
         const Floats by = hn::Sqrt(hn::Add(hn::Mul(by_x, by_x), hn::Mul(by_y, by_y)));
         const Floats moved = hn::Min(splat(1.0f), hn::Add(by, by));
-        const Floats pictures =
-            hn::Add(splat(kStillPictures), hn::Mul(splat(kMovingPictures - kStillPictures), moved));
-        const Vector mixed = plus(before, scaled(minus(now, before), hn::Div(splat(1.0f), pictures)));
+        const Floats pictures = hn::Add(splat(row.still), hn::Mul(splat(row.moving - row.still), moved));
+        Floats share = hn::Div(splat(1.0f), pictures);
+        if (row.change != nullptr) share = hn::Max(share, load(row.change + x));
+        const Vector mixed = plus(before, scaled(minus(now, before), share));
         mean = choose(seen, mixed, now);
     }
     store3(mean, row.next, x);
-    store3(mean, row.out, x, static_cast<std::size_t>(row.width));
+    if (row.out != nullptr) store3(mean, row.out, x, static_cast<std::size_t>(row.width));
 }
 
 static void smooth(const SmoothRow& row) {

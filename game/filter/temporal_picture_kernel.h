@@ -12,11 +12,13 @@ struct SmoothRow {
     const float* lighted[3];      // of the row; what lies left, right, above and below repeats the border
     std::ptrdiff_t above, below;  // from there to the rows around
     bool has_past;
+    float still, moving;  // pictures a mean goes over where nothing moves, and where each frame moves them
+    const float* change;  // of the row: the least a new picture counts; null: 0
     int then_width, then_height;
     const float* then[3];  // the pictures before, at pixel (0, 0); two pixels around repeat the border
     std::ptrdiff_t then_stride;
     float* next[3];  // of the row
-    float* out;      // the same, red, green and blue side by side
+    float* out;      // the same, red, green and blue side by side; null: nobody asks
 };
 void smooth_picture(const SmoothRow& row);
 

@@ -1,6 +1,7 @@
 #include "filter/temporal_upscale.h"
 
 #include "base/contracts.h"
+#include "filter/bordered.h"
 #include "filter/rows.h"
 #include "filter/temporal_picture_kernel.h"
 
@@ -19,8 +20,9 @@ namespace gh::filter {
 namespace {
 
 constexpr float kNearness = 2.5f;  // a sample d pixels away counts exp(-kNearness d^2)
-constexpr float kReach = 2.0f;     // of a lit pixel's size: how far one surface leaves its own plane
-constexpr int kBorder = 16;        // around a bordered plane's pixels: two repeat the outermost
+// Pictures that are added up where nothing moves, and where each frame moves them.
+constexpr float kStillPictures = 8.0f, kMovingPictures = 4.0f;
+constexpr float kReach = 2.0f;  // of a lit pixel's size: how far one surface leaves its own plane
 
 bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -36,40 +38,6 @@ const float* row_of(std::span<const glm::vec3> plane, std::size_t first) {
 
 void copy(const glm::vec3& from, float* to) {
     std::copy_n(glm::value_ptr(from), 3, to);
-}
-
-void fit_bordered(Plane3& planes, glm::ivec2 size) {
-    planes.fit((size.x + 15) / 16 * 16 + 2 * kBorder, size.y + 4);
-}
-// At pixel (0, y) of the picture, `y` from -2 to 1 below the last.
-float* bordered_row(Plane& plane, int y) {
-    return plane.row(y + 2) + kBorder;
-}
-const float* bordered_row(const Plane& plane, int y) {
-    return plane.row(y + 2) + kBorder;
-}
-template <class Planes, class Number>
-void point_to_bordered(Number* to[3], Planes& planes, int y) {
-    to[0] = bordered_row(planes.x, y);
-    to[1] = bordered_row(planes.y, y);
-    to[2] = bordered_row(planes.z, y);
-}
-
-void repeat_sides(Plane3& planes, int width, int y) {
-    for (Plane* plane : {&planes.x, &planes.y, &planes.z}) {
-        float* const row = bordered_row(*plane, y);
-        row[-2] = row[-1] = row[0];
-        row[width] = row[width + 1] = row[width - 1];
-    }
-}
-
-void repeat_rows(Plane3& planes, int height) {
-    for (Plane* plane : {&planes.x, &planes.y, &planes.z}) {
-        for (const int y : {-2, -1, height, height + 1}) {
-            const float* const from = plane->row(std::clamp(y, 0, height - 1) + 2);
-            std::copy_n(from, plane->width(), plane->row(y + 2));
-        }
-    }
 }
 
 }  // namespace
@@ -176,6 +144,8 @@ void TemporalUpscaler::smooth_row(const GuidedFrame& frame, int y, Image& out) {
     row.above = y > 0 ? -lighted_.x.stride() : 0;
     row.below = y + 1 < height ? lighted_.x.stride() : 0;
     row.has_past = has_history_;
+    row.still = kStillPictures;
+    row.moving = kMovingPictures;
     row.then_width = width;
     row.then_height = height;
     point_to_bordered(row.then, std::as_const(picture_), 0);

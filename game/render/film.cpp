@@ -20,7 +20,9 @@ void FilmPlanes::resize_surfaces(std::size_t pixels) {
 }
 
 void FilmPlanes::resize(int width, int height) {
-    direct = indirect = specular = clean = Image(width, height);
+    for (Image* image : {&direct, &indirect, &specular, &clean}) {
+        if (image->width != width || image->height != height) *image = Image(width, height);
+    }
     const std::size_t count = direct.pixels.size();
     resize_surfaces(count);
     for (std::vector<glm::vec3>* plane : {&normal, &albedo, &gloss}) plane->assign(count, glm::vec3(0.0f));

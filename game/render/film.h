@@ -54,6 +54,7 @@ struct FilmPlanes {
     Image direct, indirect, specular, clean;  // they sum to the picture
 
     void resize_surfaces(std::size_t pixels);  // the first four
+    // The surfaces become sky; light of a picture of the same size stays what it was.
     void resize(int width, int height);
 };
 

@@ -116,25 +116,18 @@ std::function<Run()> denoised_run(const PathSettings& settings) {
         gh::app::Reshading reshading;
         gh::filter::Plane change;
         gh::app::FilmDenoiser denoiser;
-        gh::app::GuidedPicture guided;
-        gh::Image added_up;
     };
     return [settings] {
         return [settings, memory = std::make_shared<Memory>()](const Shot& shot, Film& film) {
-            const gh::app::PictureShape shape{{film.radiance.width, film.radiance.height}, 1};
             PathSettings jittered = settings;
             jittered.seed = shot.seed;
+            jittered.jitter = gh::filter::halton_jitter(shot.frame);
             const double start = core_ms();
-            jittered.jitter =
-                memory->guided.begin(shot.scene, shot.camera, {.texture_taps = settings.texture_taps},
-                                     shot.frame, shape, shot.jobs);
             memory->reshading.ask_again(shot.scene, shot.jobs, memory->change);
             path_frame(shot, jittered, film);
             memory->reshading.note(shot.camera, jittered, shot.frame, film);
             const double rendered = core_ms();
-            memory->denoiser.denoise(film, shot.jobs, {}, memory->change);
-            memory->guided.add(film.radiance, shot.jobs, memory->added_up);
-            std::swap(film.radiance, memory->added_up);
+            memory->denoiser.denoise(film, shot.jobs, {.adds_up = true}, memory->change);
             return StageTimes{.render_ms = rendered - start, .filter_ms = core_ms() - rendered};
         };
     };
