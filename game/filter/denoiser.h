@@ -15,36 +15,15 @@
 #pragma once
 
 #include "base/jobs.h"
-#include "filter/anti_lag.h"
-#include "filter/atrous.h"
+#include "filter/albedo.h"
+#include "filter/denoise_settings.h"
 #include "filter/gbuffer.h"
-#include "filter/guides.h"
-#include "filter/mend.h"
+#include "filter/halve.h"
+#include "filter/light_layer.h"
 #include "filter/picture_mean.h"
-#include "filter/reproject.h"
-#include "filter/temporal.h"
-
-#include <cstddef>
-#include <span>
+#include "filter/rows.h"
 
 namespace gh::filter {
-
-struct DenoiseSettings {
-    MendSettings mend{};
-    TemporalSettings temporal{};
-    // Levels of 0: not smoothed over the picture.
-    AtrousSettings direct{.levels = 2};
-    AtrousSettings indirect{.levels = 3, .luminance_sigmas = 8.0f};  // no edges of its own to keep
-    AtrousSettings specular{.levels = 2, .luminance_sigmas = 5.0f};
-    // So many more, up to five, while nothing is known of the past: still pictures, and the first one after a cut.
-    int more_levels_at_first = 2;
-    bool settles = true;  // whether unknown changes are looked for
-    float settle_sigmas = 2.0f;
-    // Light::change_then counts so many times: a little noise for a moment is less to be seen than light that lingers.
-    float change_sharpness = 4.0f;
-    // Whether pictures are added up at the end (picture_mean.h): for those taken through other places of their pixels.
-    bool adds_up = false;
-};
 
 class Denoiser {
   public:
@@ -61,36 +40,21 @@ class Denoiser {
                  const Jobs& jobs, Plane3& out, const Ends& ends = {});
 
     // Samples in the mean of each pixel's direct light, for views of what the filter does.
-    [[nodiscard]] const Plane& history_length() const { return direct_.mean.length; }
+    [[nodiscard]] const Plane& history_length() const { return whole_.history_length(); }
     // Of that mean, as an estimate.
-    [[nodiscard]] const Plane& variance() const { return direct_.variance; }
+    [[nodiscard]] const Plane& variance() const { return whole_.variance(); }
 
   private:
-    // One of the lights through the frames.
-    struct Track {
-        Accumulated mean, before;
-        Plane variance;
-        Plane sums[2];      // while it settles
-        Signal scratch[2];  // the a-trous levels by turns; before them, the samples as they are mended
-        const Luma3* smooth = nullptr;  // what is shown; null: there is no such light
-    };
-    struct Step;
+    void add_half(const LightLayer::Frame& whole, RowPasses& passes);
+    void add_wide(const GBuffer& surfaces, RowPasses& passes);
+    [[nodiscard]] Parts add_layers(const GBuffer& surfaces, const Light& light,
+                                   const DenoiseSettings& settings, const Jobs& jobs, RowPasses& passes);
 
-    [[nodiscard]] bool asks_change(const Step& step) const;
-    void find_past(Motion motion, const Step& step);
-    void add_samples(const Plane3& light, const Plane& told, const Plane3& albedo, const Step& step,
-                     Track& track);
-    void accumulate_tracks(const Step& step);
-    void settle_tracks(const Step& step);
-    [[nodiscard]] std::size_t smooth_tracks(const Step& step, std::span<Smoothing, 3> all);
-
-    Guides guides_;
-    SeenSurfaces seen_;
-    Taps taps_;
-    Track direct_, indirect_, specular_;
-    Plane stiffness_;
-    Plane change_;
-    Plane3 remade_;  // before pictures are added up
+    LightLayer whole_, half_layer_;
+    Halved half_;                          // what half_layer_ is given
+    DenoiseSettings soft_;                 // and how
+    Luma3 wide_indirect_, wide_specular_;  // first as they are mended, then what came of them
+    Plane3 remade_;                        // before pictures are added up
     PictureMean pictures_;
 };
 

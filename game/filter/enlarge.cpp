@@ -12,28 +12,11 @@
 #define HWY_TARGET_INCLUDE "filter/enlarge.cpp"
 #include <hwy/foreach_target.h>
 // foreach_target must come before what is compiled once per target.
-#include "filter/geometry-inl.h"
+#include "filter/joint-inl.h"
 #include "filter/simd-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gh::filter::HWY_NAMESPACE {
-
-// Where a vector of large pixels lies in a small row: never further apart than they are themselves, so that one load and
-// one shuffle bring a tap of each.
-struct Places {
-    std::ptrdiff_t start;
-    Ints beyond;  // of `start`
-};
-
-static HWY_INLINE Places places_at(const std::int32_t* first, std::size_t x) {
-    const Ints places = hn::LoadU(I(), first + x);
-    const std::int32_t start = hn::GetLane(places);
-    return {start, hn::Sub(places, hn::Set(I(), start))};
-}
-
-static HWY_INLINE Floats read_at(const float* row, const Places& places, std::ptrdiff_t step) {
-    return hn::TableLookupLanes(load(row + places.start + step), hn::IndicesFromVec(F(), places.beyond));
-}
 
 // Four values blended, within the range of the four. None is NaN.
 static HWY_INLINE Floats blend(const Floats value[4], const Floats weight[4]) {
@@ -69,7 +52,7 @@ static void cubic_down_row(const CubicDownRow& row) {
 
 static void cubic_across_row(const CubicAcrossRow& row) {
     for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) {
-        const Places places = places_at(row.taps.first, x);
+        const Places places = places_at(hn::LoadU(I(), row.taps.first + x));
         Floats weight[4], value[4];
         for (std::size_t k = 0; k < 4; ++k) {
             weight[k] = load(row.taps.weight[k] + x);
@@ -79,28 +62,11 @@ static void cubic_across_row(const CubicAcrossRow& row) {
     }
 }
 
-// What a tap on another surface still counts, so that a pixel with no surface of its own kind near takes something.
-constexpr float kForeign = 1e-6f;
-
-static HWY_INLINE Floats alike(const Surface& surface, const GuideRows& small, const Places& places,
-                               int right, Floats dx, Floats dy) {
-    const Floats nearness = read_at(small.nearness, places, right);
-    const Floats foretold =
-        hn::Add(surface.nearness, hn::Add(hn::Mul(surface.slope_x, dx), hn::Mul(surface.slope_y, dy)));
-    const Floats off = hn::Mul(hn::Abs(hn::Sub(nearness, foretold)), surface.scale);
-    const Floats cosine =
-        dot(surface.nx, surface.ny, surface.nz, read_at(small.normal[0], places, right),
-            read_at(small.normal[1], places, right), read_at(small.normal[2], places, right));
-    const Floats apart = hn::Add(off, hn::Abs(hn::Sub(splat(0.25f * kNormalSharpness), cosine)));
-    const Lanes both_sky = hn::Eq(hn::Add(nearness, surface.nearness), hn::Zero(F()));
-    return choose(both_sky, splat(1.0f), hn::Add(falloff(apart), splat(kForeign)));
-}
-
 static void joint_row(const JointRow& row) {
     const Floats one = splat(1.0f), zero = hn::Zero(F());
     for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) {
         const Surface surface = surface_at(row.large, x, 2.0f);
-        const Places places = places_at(row.first, x);
+        const Places places = places_at(hn::LoadU(I(), row.first + x));
         const Floats right = load(row.right + x);
         Floats sum[3] = {zero, zero, zero}, total = zero;
         for (int tap = 0; tap < 4; ++tap) {

@@ -125,10 +125,9 @@ void PictureMean::smooth_row(int y, const Plane& change, Plane3& out) {
         row.then_stride = mean_.x.stride();
     }
     point_to_bordered(row.next, next_, y);
+    point_to(row.out_planes, out, y);
     smooth_picture(row);
     repeat_sides(next_, size_.x, y);
-    Plane* const to[3] = {&out.x, &out.y, &out.z};
-    for (std::size_t c = 0; c < 3; ++c) std::copy_n(row.next[c], size_.x, to[c]->row(y));
 }
 
 void PictureMean::add_rows(const GBuffer& surfaces, const Plane3& picture, const Plane& change,

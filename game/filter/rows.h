@@ -50,7 +50,7 @@ void run_rows_apart(int height, int step, const Jobs& jobs, const Row& row) {
 template <class Row>
 void run_passes(int height, std::span<const int> reach, const Jobs& jobs, const Row& row) {
     const int passes = static_cast<int>(reach.size());
-    std::array<int, 16> lag{};  // rows a pass is behind the first
+    std::array<int, 24> lag{};  // rows a pass is behind the first
     EXPECTS(passes >= 1 && reach.size() <= lag.size());
     for (std::size_t pass = 1; pass < reach.size(); ++pass) lag[pass] = lag[pass - 1] + reach[pass];
     const int last = lag[reach.size() - 1];
@@ -95,6 +95,27 @@ class RowPasses {
     void add(RowWork work) {
         EXPECTS(!work_.empty());
         if (work) work_.back().push_back(std::move(work));
+    }
+    // To a pass that was begun already, the first being 0.
+    void add_to(std::size_t pass, RowWork work) {
+        EXPECTS(pass < work_.size());
+        if (work) work_[pass].push_back(std::move(work));
+    }
+    // The passes of a picture of half the sides, rounded up, beside these, the first of them beside `first` (at least 1):
+    // its row v may read rows 2 v and 2 v + 1 of what was added to the pass before. It is made with the second of those,
+    // or with the last one there is.
+    void add_halved(RowPasses half, int height, std::size_t first) {
+        EXPECTS(first >= 1 && first <= work_.size());
+        for (std::size_t i = 0; i < half.work_.size(); ++i) {
+            if (first + i == work_.size()) begin(0);
+            int& reach = reach_[first + i];
+            reach = std::max(reach, 2 * half.reach_[i] + 1);
+            for (RowWork& work : half.work_[i]) {
+                add_to(first + i, [work = std::move(work), height](int y) {
+                    if (y % 2 == 1 || y + 1 == height) work(y / 2);
+                });
+            }
+        }
     }
     void run(int height, const Jobs& jobs) const {
         if (work_.empty() || height == 0) return;

@@ -17,8 +17,9 @@ struct SmoothRow {
     int then_width, then_height;
     const float* then[3];  // the pictures before, at pixel (0, 0); two pixels around repeat the border
     std::ptrdiff_t then_stride;
-    float* next[3];  // of the row
-    float* out;      // the same, red, green and blue side by side; null: nobody asks
+    float* next[3];        // of the row
+    float* out;            // the same, red, green and blue side by side; null: nobody asks
+    float* out_planes[3];  // the same apart, or null
 };
 void smooth_picture(const SmoothRow& row);
 

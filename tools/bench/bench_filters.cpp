@@ -224,6 +224,27 @@ void bench_denoiser(const Bench& b, const char* name, bool has_indirect, bool ha
         out.x);
 }
 
+// As the window shows it where every pixel is lit: paths asked again say that no light has changed; denoised, added up, and
+// enlarged to the window.
+void bench_whole(const Bench& b, const char* name, bool halves_specular) {
+    filter::Denoiser denoiser;
+    filter::Plane3 small, out(b.options.window_width, b.options.window_height);
+    std::vector<gh::test::Frame> frames = b.frames;
+    for (gh::test::Frame& frame : frames)
+        frame.noisy.change_then = filter::Plane(b.options.width, b.options.height);
+    std::size_t next = 0;
+    b.row(
+        name,
+        [&](int) {
+            const std::size_t at = next++ % 22;
+            const gh::test::Frame& frame = frames[at < 12 ? at : 22 - at];
+            denoiser.denoise(frame.surfaces, frame.noisy,
+                             {.halves_specular = halves_specular, .adds_up = true}, b.jobs, small);
+            filter::enlarge(small, b.jobs, out);
+        },
+        out.x);
+}
+
 void report_error(const Bench& b) {
     filter::Denoiser denoiser;
     filter::Plane3 out;
@@ -254,6 +275,8 @@ int bench_all(int argc, char** argv) {
     bench_denoiser(b, "denoise: direct", false, false);
     bench_denoiser(b, "denoise: direct + indirect", true, false);
     bench_denoiser(b, "denoise: direct + indirect + specular", true, true);
+    bench_whole(b, "all of it, added up, to the window", false);
+    bench_whole(b, "the same, reflections at half the sides", true);
     report_error(b);
     return 0;
 }
