@@ -188,7 +188,8 @@ void Loop::expose(const render::SceneView& scene, const render::Camera& camera, 
 
 void Loop::draw() {
     const Quality quality = quality_of(menu_.settings().quality);
-    resolution_.bound(quality.fewest_pixels, quality.most_pixels);
+    const bool is_path = traced_ || plane_ != PlaneView::Picture;
+    resolution_.bound(quality.fewest_shown, quality.most_lit, is_path ? kMostPathStep : kMostStep);
     const PictureShape shape = resolution_.shape_for(window_.framebuffer_size());
     const std::shared_ptr<const world::Snapshot> now = session_.simulation->snapshot();
     const render::Camera camera =

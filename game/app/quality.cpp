@@ -7,8 +7,8 @@ namespace gh::app {
 Quality quality_of(present::QualityName name) {
     Quality quality{.whitted = {.texture_taps = 4.0f, .is_adaptive = true},
                     .path = render::realtime_path(),
-                    .fewest_pixels = 160.0f * 90.0f,  // with fewer a room can not be read
-                    .most_pixels = 3840.0f * 2160.0f};
+                    .fewest_shown = 480.0f * 270.0f,  // with fewer a room can not be read
+                    .most_lit = 3840.0f * 2160.0f};
     switch (name) {
         case present::QualityName::Low:
             quality.whitted.texture_taps = 2.0f;
@@ -16,8 +16,8 @@ Quality quality_of(present::QualityName name) {
             quality.whitted.max_depth = 4;
             quality.path.texture_taps = 2.0f;
             quality.path.max_depth = 4;
-            quality.fewest_pixels = 128.0f * 72.0f;
-            quality.most_pixels = 640.0f * 360.0f;
+            quality.fewest_shown = 384.0f * 216.0f;
+            quality.most_lit = 640.0f * 360.0f;
             break;
         case present::QualityName::Medium:
             break;
@@ -25,14 +25,14 @@ Quality quality_of(present::QualityName name) {
             quality.whitted.texture_taps = 8.0f;
             quality.whitted.contrast = 0.1f;
             quality.path.texture_taps = 8.0f;
-            quality.fewest_pixels = 240.0f * 135.0f;
+            quality.fewest_shown = 720.0f * 405.0f;
             break;
         case present::QualityName::Ultra:
             quality.whitted.texture_taps = 8.0f;
             quality.whitted.is_adaptive = false;
             quality.path.texture_taps = 8.0f;
             quality.path.max_scatters = 2;
-            quality.fewest_pixels = 320.0f * 180.0f;
+            quality.fewest_shown = 960.0f * 540.0f;
             break;
     }
     return quality;

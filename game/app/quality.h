@@ -11,11 +11,14 @@
 
 namespace gh::app {
 
+// A denoiser needs more lit pixels than what is not noisy to begin with.
+inline constexpr int kMostPathStep = 3;
+
 struct Quality {
     render::WhittedSettings whitted;
     render::PathSettings path;
-    float fewest_pixels;  // rather fewer frames than pixels
-    float most_pixels;
+    float fewest_shown;  // pixels: rather fewer frames than these
+    float most_lit;
 };
 
 [[nodiscard]] Quality quality_of(present::QualityName name);

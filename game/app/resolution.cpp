@@ -9,9 +9,8 @@ namespace gh::app {
 
 namespace {
 
-constexpr int kMostStep = 3;
-constexpr float kNarrowest = 96.0f;  // lit pixels across
-constexpr float kSurely = 1.05f;     // so much time as for a little more than all of them
+constexpr float kNarrowest = 288.0f;  // pixels across
+constexpr float kSurely = 1.05f;      // so much time as for a little more than all of them
 
 int multiple_of_8(float length) {
     return std::max(8, static_cast<int>(std::lround(length / 8.0f)) * 8);
@@ -27,8 +26,8 @@ float lit_of(float framebuffer, int step) {
 }
 
 // The smallest step for which so many pixels are enough to show the whole framebuffer; 0: there is none.
-int step_for(float pixels, float framebuffer) {
-    for (int step = 1; step <= kMostStep; ++step) {
+int step_for(float pixels, float framebuffer, int most) {
+    for (int step = 1; step <= most; ++step) {
         if (pixels >= lit_of(framebuffer, step) * 0.999f) return step;
     }
     return 0;
@@ -36,10 +35,12 @@ int step_for(float pixels, float framebuffer) {
 
 }  // namespace
 
-void Resolution::bound(float fewest_pixels, float most_pixels) {
-    EXPECTS(0.0f < fewest_pixels && fewest_pixels <= most_pixels);
-    fewest_pixels_ = fewest_pixels;
-    most_pixels_ = most_pixels;
+void Resolution::bound(float fewest_shown, float most_lit, int most_step) {
+    EXPECTS(1 <= most_step && most_step <= kMostStep && 0.0f < fewest_shown &&
+            lit_of(fewest_shown, most_step) <= most_lit);
+    most_step_ = most_step;
+    fewest_pixels_ = lit_of(fewest_shown, most_step);
+    most_pixels_ = most_lit;
     pixels_ = std::clamp(pixels_, fewest_pixels_, most_pixels_);
 }
 
@@ -49,10 +50,10 @@ void Resolution::note_frame(float render_ms, float wanted_ms, glm::ivec2 framebu
     const float ratio = wanted_ms / smoothed_ms_;
     if (std::abs(ratio - 1.0f) < 0.1f) return;
     const float all = area(framebuffer), before = pixels_;
-    const int step = step_for(pixels_, all);
+    const int step = step_for(pixels_, all, most_step_);
     float wanted = pixels_ * std::clamp(ratio, 0.75f, 1.25f);
     if (step == 0) {
-        wanted = std::min(wanted, lit_of(all, kMostStep));
+        wanted = std::min(wanted, lit_of(all, most_step_));
     } else {
         const float here = lit_of(all, step);
         wanted = here;
@@ -60,7 +61,7 @@ void Resolution::note_frame(float render_ms, float wanted_ms, glm::ivec2 framebu
             const float next = lit_of(all, step - 1);
             if (ratio * here >= kSurely * next) wanted = next;
         } else if (ratio < 1.0f) {
-            wanted = step < kMostStep ? lit_of(all, step + 1) : here * std::max(0.75f, ratio);
+            wanted = step < most_step_ ? lit_of(all, step + 1) : here * std::max(0.75f, ratio);
         }
     }
     pixels_ = std::clamp(wanted, fewest_pixels_, most_pixels_);
@@ -69,12 +70,15 @@ void Resolution::note_frame(float render_ms, float wanted_ms, glm::ivec2 framebu
 
 PictureShape Resolution::shape_for(glm::ivec2 framebuffer) const {
     if (framebuffer.x <= 0 || framebuffer.y <= 0) return {};
-    const int step = step_for(pixels_, area(framebuffer));
+    const int step = step_for(pixels_, area(framebuffer), most_step_);
     if (step > 0) return {(framebuffer + step - 1) / step, step};
     const float width = static_cast<float>(framebuffer.x), height = static_cast<float>(framebuffer.y);
-    const float scale = std::clamp(std::sqrt(pixels_ / (width * height)),
-                                   std::min(1.0f / kMostStep, kNarrowest / width), 1.0f / kMostStep);
-    return {{multiple_of_8(width * scale), multiple_of_8(height * scale)}, kMostStep};
+    const float most = 1.0f / static_cast<float>(most_step_);
+    const float scale =
+        std::clamp(std::sqrt(pixels_ / (width * height)), std::min(1.0f, kNarrowest / width) * most, most);
+    const int across = multiple_of_8(width * scale);  // whole tiles
+    const float down = static_cast<float>(across) * height / width;
+    return {{across, std::max(1, static_cast<int>(std::lround(down)))}, most_step_};
 }
 
 }  // namespace gh::app

@@ -27,9 +27,10 @@ glm::ivec2 lit_offset(std::uint32_t i, int step) {
     constexpr std::array<std::array<int, 2>, 4> kOfTwo = {{{0, 0}, {1, 1}, {1, 0}, {0, 1}}};
     constexpr std::array<std::array<int, 2>, 9> kOfThree = {
         {{1, 1}, {0, 0}, {2, 2}, {2, 0}, {0, 2}, {1, 0}, {1, 2}, {0, 1}, {2, 1}}};
-    EXPECTS(1 <= step && step <= 3);
+    EXPECTS(1 <= step && step <= 4);
     if (step == 2) return {kOfTwo[i % 4][0], kOfTwo[i % 4][1]};
     if (step == 3) return {kOfThree[i % 9][0], kOfThree[i % 9][1]};
+    if (step == 4) return 2 * lit_offset(i % 4, 2) + lit_offset(i / 4, 2);
     return {0, 0};
 }
 

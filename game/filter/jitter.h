@@ -11,7 +11,7 @@ namespace gh::filter {
 
 // Frame `i` of an even sequence of jitters (Halton 2, 3), in [-0.5, 0.5).
 [[nodiscard]] glm::vec2 halton_jitter(std::uint32_t i);
-// The pixel of every step x step that is lit in frame `i`: all of them in turn, far ones after each other. Step 1 to 3.
+// The pixel of every step x step that is lit in frame `i`: all of them in turn, far ones after each other. Step 1 to 4.
 [[nodiscard]] glm::ivec2 lit_offset(std::uint32_t i, int step);
 // The jitter of a small picture whose pixels look where those of the guide at `offset` do, with a jitter of its own.
 [[nodiscard]] glm::vec2 small_jitter(const glm::vec2& jitter, const glm::ivec2& offset, int step);

@@ -19,9 +19,9 @@ TEST(Quality, EachIsAtLeastAsFineAsTheOneBefore) {
     for (int i = 1; i < static_cast<int>(present::kQualityWords.size()); ++i) {
         const Quality worse = quality_of(static_cast<present::QualityName>(i - 1));
         const Quality better = quality_of(static_cast<present::QualityName>(i));
-        EXPECT_GT(better.fewest_pixels, worse.fewest_pixels);
-        EXPECT_GE(better.most_pixels, worse.most_pixels);
-        EXPECT_LE(better.fewest_pixels, better.most_pixels);
+        EXPECT_GT(better.fewest_shown, worse.fewest_shown);
+        EXPECT_GE(better.most_lit, worse.most_lit);
+        EXPECT_LE(better.fewest_shown, better.most_lit);
         EXPECT_GE(better.whitted.texture_taps, worse.whitted.texture_taps);
         EXPECT_GE(better.path.texture_taps, worse.path.texture_taps);
         EXPECT_GE(better.path.max_scatters, worse.path.max_scatters);

@@ -12,7 +12,7 @@ namespace {
 
 // Every pixel of a block has its turn before one has another, and a lit pixel looks where its pixel of the guide does.
 TEST(Jitter, EveryPixelIsLitInItsTurn) {
-    for (int step = 1; step <= 3; ++step) {
+    for (int step = 1; step <= 4; ++step) {
         std::set<std::pair<int, int>> lit;
         for (std::uint32_t i = 100; i < 100 + static_cast<std::uint32_t>(step * step); ++i) {
             const glm::ivec2 offset = filter::lit_offset(i, step);

@@ -51,7 +51,7 @@ double error(const Image& a, const Image& b) {
     return std::sqrt(sum / static_cast<double>(a.pixels.size()));
 }
 
-// Slanted bars a few pixels wide: of every ninth pixel alone their edges can not be told.
+// Slanted bars a few pixels wide: of every sixteenth pixel alone their edges can not be told.
 float bars(const glm::vec2& p) {
     return std::sin(25.0f * p.x + 9.0f * p.y) > 0.0f ? 0.9f : 0.2f;
 }
@@ -69,7 +69,7 @@ TEST(TemporalUpscale, ColoursAreEveryPixelsOwnFromTheFirstPicture) {
         EXPECT_NEAR(out.pixels[i].x, 0.8f * shot.albedo[i].x, 1e-6f);
 }
 
-TEST(TemporalUpscale, LightOfEveryNinthPixelSharpensIntoThatOfAll) {
+TEST(TemporalUpscale, LightOfFewPixelsSharpensIntoThatOfAll) {
     filter::TemporalUpscaler upscaler;
     const Jobs jobs(1);
     const Image wanted = truth(bars, glm::vec2(0.0f), kSize.x, kSize.y);

@@ -9,7 +9,7 @@
 
 namespace gh::test {
 
-inline constexpr int kWidth = 40, kHeight = 30, kStep = 3;
+inline constexpr int kWidth = 40, kHeight = 30, kStep = 4;
 
 // A wall at z = -1 seen through a lens that looks along -z; its colour is a function of the place on it.
 using Wall = std::function<float(const glm::vec2&)>;
@@ -25,7 +25,7 @@ inline glm::vec3 on_wall(const filter::Pinhole& lens, const glm::vec2& at) {
     return lens.eye + lens.corner + lens.right * at.x + lens.down * at.y;
 }
 
-// What is seen of a wall of this colour, and the light on it in every ninth pixel.
+// What is seen of a wall of this colour, and the light on it in every sixteenth pixel.
 struct Shot {
     Image radiance{kWidth, kHeight};
     filter::Guide seen;
