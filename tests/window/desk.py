@@ -122,10 +122,11 @@ class Desk:
         return path
 
     def press(self, *keys):
-        """One after the other, each long enough for a slow frame to see it, however many others use this machine."""
+        """One after the other, each long enough for a slow frame to see it and too short to repeat: after .58 s the menu
+        takes a key that is down for a second press. One process holds it, so that a busy machine makes it no longer."""
         crowd = max(1.0, os.getloadavg()[0] / os.cpu_count())
         for key in keys:
-            self.hold(key, 0.4 * crowd)
+            self.xdotool("keydown", key, "sleep", "0.35", "keyup", key)
             time.sleep(0.4 * crowd)
 
     def quit_by_menu(self):
