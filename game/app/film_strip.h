@@ -3,6 +3,7 @@
 //
 // Exposure  of each picture by a small sketch of it, which is made for pictures that are skipped as well: the eye adapts
 //           the same way whether or not the film was made in one go.
+// Whitted   with one sample a pixel goes the window's way at rest: smooth edges for less than a second sample costs.
 #pragma once
 
 #include "app/options.h"
@@ -26,6 +27,8 @@ class FilmStrip {
   private:
     void expose(const render::SceneView& scene, const render::Camera& camera, const render::Camera& opened,
                 std::uint32_t frame, const Jobs& jobs);
+    void look_four_times(const render::SceneView& scene, const render::Camera& camera,
+                         const render::WhittedSettings& settings, std::uint32_t frame, const Jobs& jobs);
     [[nodiscard]] render::Camera shutter_opens(const render::Camera& camera) const;
 
     ReplayOptions options_;

@@ -121,7 +121,9 @@ void add_replay(CLI::App& replay, ReplayOptions& o) {
     replay.add_option("--every", o.every, "one picture every N ticks")
         ->check(CLI::Range(1, 1'000'000))
         ->type_name("N");
-    replay.add_option("--spp", o.samples_per_pixel, "samples a pixel")
+    replay
+        .add_option("--spp", o.samples_per_pixel,
+                    "samples a pixel; whitted with 1 smooths edges as the window does")
         ->check(CLI::Range(1, 65536))
         ->type_name("N");
     add_renderer(replay, o.renderer);
