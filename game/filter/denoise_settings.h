@@ -20,7 +20,8 @@ struct DenoiseSettings {
     // Indirect light is soft and loses nothing; smooth floors mirror sharper than that.
     bool halves_indirect = true;
     bool halves_specular = false;
-    // Whether unknown changes are looked for, where no paths are asked again (Light::change_then).
+    // Whether unknown changes are looked for: paths that are asked again (Light::change_then) know nothing of the light on what
+    // moves by itself.
     bool settles = true;
     float settle_sigmas = 2.0f;
     // Light::change_then counts so many times: a little noise for a moment is less to be seen than light that lingers.

@@ -96,7 +96,7 @@ void LightLayer::settle_tracks(const Frame& frame, RowPasses& passes) {
             if (track->smooth != nullptr) passes.add(work(*track));
         }
     };
-    if (how.settles && !asks_change(frame.light)) {
+    if (how.settles) {
         const SettleSettings settings{how.settle_sigmas, how.temporal.fast_longest};
         passes.begin(kSettleReach);
         for_all([](Track& track) { return settle_sum_rows(track.mean, track.sums); });

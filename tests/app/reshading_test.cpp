@@ -5,15 +5,22 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <optional>
+
 namespace gh::app {
 namespace {
 
 constexpr int kWidth = 48, kHeight = 30;
 
 // A room with one lamp that has a switch and one that has none, each at its end.
-test::Studio room() {
+test::Studio room(std::optional<float> crate_at = {}) {
     test::Studio studio;
     studio.add_box({-6, 0, -3}, {6, 3, 3}, test::matte(glm::vec3(0.5f)), true);
+    if (crate_at) {
+        const glm::vec3 corner(*crate_at, 1.2f, 0.8f);
+        studio.add_box(corner, corner + 0.6f, test::matte(glm::vec3(0.05f)));
+    }
     studio.level.lamp_groups.resize(2);
     for (const float x : {-5.0f, 5.0f}) {
         world::Lamp lamp;
@@ -77,6 +84,32 @@ TEST(Reshading, ALampThatWentOutIsNoticedWhereItShone) {
     reshading.forget();
     reshading.ask_again({studio.level, studio.snapshot, studio.prepared}, jobs, change);
     EXPECT_TRUE(change.empty());
+}
+
+// The light in the room stays what it is; the crate is far darker than the wall it now hides, and than what it uncovers.
+TEST(Reshading, WhatMovesKeepsItsPastAndSoDoesTheWallBesideIt) {
+    const test::Studio then = room(-0.7f), now = room(0.1f);
+    const Jobs jobs(2);
+    Reshading reshading;
+    double on_crate = 0.0, all = 0.0;
+    int crates = 0;
+    for (std::uint32_t frame = 0; frame < 9; ++frame) {
+        const render::Film film = traced(then, frame, jobs, reshading);
+        filter::Plane change;
+        reshading.ask_again({now.level, now.snapshot, now.prepared}, jobs, change);
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                const glm::vec3& met = film.planes.position[film.radiance.index(x, y)];
+                const bool is_crate = met.x > -0.75f && met.x < -0.05f && met.y > 1.15f && met.z > 0.75f;
+                crates += is_crate ? 1 : 0;
+                on_crate += is_crate ? static_cast<double>(change.at(x, y)) : 0.0;
+                all += static_cast<double>(change.at(x, y)) / (9.0 * kWidth * kHeight);
+            }
+        }
+    }
+    ASSERT_GT(crates, 100);
+    EXPECT_LT(on_crate / crates, 0.05);
+    EXPECT_LT(all, 0.04);
 }
 
 }  // namespace
