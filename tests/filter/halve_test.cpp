@@ -89,8 +89,8 @@ TEST(Halve, DenoisingMakesTheSameBitsHoweverItIsRun) {
             room.ball.x -= 0.07f;
             room.eye.z -= 0.03f;
             const test::Frame frame = test::render(room, 93, 61, i);
-            denoiser.denoise(frame.surfaces, frame.noisy, {.halves_specular = true, .adds_up = true}, jobs,
-                             out);
+            denoiser.denoise(frame.surfaces, frame.noisy,
+                             {.halves_indirect = true, .halves_specular = true, .adds_up = true}, jobs, out);
         }
         return out;
     };

@@ -196,7 +196,8 @@ void bench_showing(const Bench& b) {
     b.row("add up to the window", add, answer());
     filter::Glare glare;
     gh::Image veiled;
-    b.row("glare in the window", [&](int) { glare.veil(large, {}, b.jobs, veiled); }, answer());
+    b.row(
+        "glare in the window", [&](int) { glare.veil(large, {}, b.jobs, veiled); }, answer());
     gh::Image8 bytes;
     b.row(
         "tone map the window",
@@ -226,7 +227,7 @@ void bench_denoiser(const Bench& b, const char* name, bool has_indirect, bool ha
 
 // As the window shows it where every pixel is lit: paths asked again say that no light has changed; denoised, added up, and
 // enlarged to the window.
-void bench_whole(const Bench& b, const char* name, bool halves_specular) {
+void bench_whole(const Bench& b, const char* name, bool halves) {
     filter::Denoiser denoiser;
     filter::Plane3 small, out(b.options.window_width, b.options.window_height);
     std::vector<gh::test::Frame> frames = b.frames;
@@ -239,7 +240,8 @@ void bench_whole(const Bench& b, const char* name, bool halves_specular) {
             const std::size_t at = next++ % 22;
             const gh::test::Frame& frame = frames[at < 12 ? at : 22 - at];
             denoiser.denoise(frame.surfaces, frame.noisy,
-                             {.halves_specular = halves_specular, .adds_up = true}, b.jobs, small);
+                             {.halves_indirect = halves, .halves_specular = halves, .adds_up = true}, b.jobs,
+                             small);
             filter::enlarge(small, b.jobs, out);
         },
         out.x);
@@ -276,7 +278,7 @@ int bench_all(int argc, char** argv) {
     bench_denoiser(b, "denoise: direct + indirect", true, false);
     bench_denoiser(b, "denoise: direct + indirect + specular", true, true);
     bench_whole(b, "all of it, added up, to the window", false);
-    bench_whole(b, "the same, reflections at half the sides", true);
+    bench_whole(b, "the same, soft light at half the sides", true);
     report_error(b);
     return 0;
 }
