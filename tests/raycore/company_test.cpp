@@ -200,6 +200,28 @@ TEST_P(Company, ABadRayAmongGoodOnesMissesAlone) {
     }
 }
 
+// What the boxes of instances forgive grows with the farthest origin of the packet. When the last ray's origin was no
+// number, nor was that, and nobody met anything.
+TEST_P(Company, ARayFromNowhereSpoilsNoneAmongInstances) {
+#ifdef RC_CONTRACTS
+    GTEST_SKIP() << "bad rays trap in this build";
+#endif
+    const Mesh ball = test::make_ball(glm::vec3(0.0f), 1.0f, 16);
+    const auto blas = rc::build_blas(ball.view());
+    rc::SceneBuilder builder;
+    for (const float x : {-0.5f, 0.5f, 3.0f})
+        builder.add({blas, glm::mat4x3(1, 0, 0, 0, 1, 0, 0, 0, 1, x, 0.25f, 0)});
+    const auto scene = builder.commit();
+    Random random(80);
+    for (const float bad : {std::nanf(""), rc::kInfinity}) {
+        for (const std::size_t which : {std::size_t{0}, std::size_t{31}, std::size_t{63}}) {
+            std::vector<rc::Ray> rays = make_bundle(ball, {0, 0, 4}, 0.01f, 0.05f, 64, random);
+            rays[which].origin = glm::vec3(bad);
+            EXPECT_GT(expect_same_as_alone(*scene, rays, rc::kAllLayers, GetParam()), 30u);
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(EveryIsa, Company, ::testing::ValuesIn(test::supported_isas()), test::isa_test_name);
 
 }  // namespace

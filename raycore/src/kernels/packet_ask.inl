@@ -100,9 +100,11 @@ class Packet {
 
     bool ask_instances() {
         begin_skips();
-        float farthest = 0.0f;
-        for (int i = 0; i < n_; ++i)
-            for (int a = 0; a < 3; ++a) farthest = larger(farthest, absolute(in_[i].origin[a]));
+        float farthest = 0.0f;  // of finite numbers: a bad ray among them must not spoil what forgives the others
+        for (int i = 0; i < n_; ++i) {
+            for (const float at : in_[i].origin)
+                if (absolute(at) <= kLargest) farthest = larger(farthest, absolute(at));
+        }
         const TreeBounds bounds{scene_.min, scene_.max};
         LaneHulls hulls;
         begin_aim(outer_, groups_);
