@@ -18,7 +18,7 @@ namespace {
 constexpr float kClamp = 2.0f;         // multiples of white, as RendererOptions has it
 constexpr float kMostVeiling = 40.0f;  // multiples of white
 constexpr std::size_t kFine =
-    640 * 360;  // pixels: soft light is filtered at half the sides of such a picture
+    640 * 360;  // pixels: soft light of such pictures in a row is filtered at half their sides
 constexpr float kDegree = 0.017453293f;
 constexpr float kLeanRoll = 0.06f;  // radians at a full lean
 
@@ -162,7 +162,7 @@ void View::trace(const render::SceneView& scene, const render::Camera& camera,
     reshading_.note(camera, settings, frame, film_);
     lens_before_ = lens_;
     lens_ = {film_.planes.eye, film_.planes.corner, film_.planes.right, film_.planes.down};
-    const bool is_fine = film_.radiance.pixels.size() >= kFine;
+    const bool is_fine = adds_up && film_.radiance.pixels.size() >= kFine;
     filter::DenoiseSettings filtering{
         .halves_indirect = is_fine, .halves_specular = is_fine, .adds_up = adds_up};
     // A firefly is what stands out and is brighter than four times white.
