@@ -100,7 +100,8 @@ class Packet {
 
     bool ask_instances() {
         begin_skips();
-        float farthest = 0.0f;  // of finite numbers: a bad ray among them must not spoil what forgives the others
+        // Of finite numbers: a bad ray among them must not spoil what forgives the others.
+        float farthest = 0.0f;
         for (int i = 0; i < n_; ++i) {
             for (const float at : in_[i].origin)
                 if (absolute(at) <= kLargest) farthest = larger(farthest, absolute(at));
