@@ -36,6 +36,10 @@ bool read_numbers(const std::string& text, std::array<float, 6>& numbers) {
     return true;
 }
 
+bool switches_lamps(const render::SceneView& scene) {
+    return scene.before != nullptr && scene.before->state.group_on != scene.snapshot.state.group_on;
+}
+
 }  // namespace
 
 render::Camera player_camera(const world::PlayerState& player, float fov_y) {
@@ -140,6 +144,7 @@ void View::expose_next(const render::SceneView& scene, const render::Camera& cam
                        render::WhittedSettings settings, std::uint32_t frame, const PictureShape& shape,
                        const Jobs& jobs) {
     resize(shape.lit.x, shape.lit.y);
+    if (switches_lamps(scene)) guided_.forget();  // found out by samples alone, it takes five pictures
     settings.jitter = guided_.begin(scene, camera, settings, frame, shape, jobs);
     settings.texture_blur = GuidedPicture::texture_blur(shape.step);
     settings.is_adaptive = settings.is_adaptive && shape.step == 1;  // few pixels have little between them
@@ -202,13 +207,13 @@ const Image8& View::develop_plane(PlaneView plane, const Jobs& jobs) {
 }
 
 void View::adapt(float seconds) {
-    exposure_ = exposure_ == 0.0f ? filter::metered_exposure(radiance())
-                                  : filter::adapted_exposure(radiance(), exposure_, seconds);
+    exposure_ = exposure_ == 0.0f ? filter::metered_exposure(shown())
+                                  : filter::adapted_exposure(shown(), exposure_, seconds);
 }
 
 const Image8& View::develop_at(float exposure, std::uint32_t frame, float stops, const Jobs& jobs) {
     const float brightened = exposure * std::exp2(stops);
-    glare_.veil(radiance(), {.most = kMostVeiling / brightened}, jobs, veiled_);
+    glare_.veil(shown(), {.most = kMostVeiling / brightened}, jobs, veiled_);
     filter::tone_map(veiled_, brightened, frame, jobs, picture_);
     return picture_;
 }

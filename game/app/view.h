@@ -94,13 +94,13 @@ class View {
     [[nodiscard]] float exposure() const { return exposure_; }
 
     [[nodiscard]] const render::Film& film() const { return film_; }
+    // What was exposed last: radiance, of as many pixels as are shown.
+    [[nodiscard]] const Image& shown() const { return is_added_up_ ? added_up_ : film_.radiance; }
     [[nodiscard]] const Image8& picture() const { return picture_; }
 
   private:
     void trace(const render::SceneView& scene, const render::Camera& camera,
                const render::PathSettings& settings, std::uint32_t frame, bool adds_up, const Jobs& jobs);
-    [[nodiscard]] const Image& radiance() const { return is_added_up_ ? added_up_ : film_.radiance; }
-
     render::Film film_;
     GuidedPicture guided_;
     Image added_up_;
