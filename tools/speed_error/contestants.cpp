@@ -6,6 +6,7 @@
 #include "clocks.h"
 #include "render/path_tracer.h"
 #include "render/whitted.h"
+#include "single_filters.h"
 
 #include <fmt/format.h>
 
@@ -186,6 +187,8 @@ std::vector<Contestant> contestants(bool is_quick) {
     }
     for (const int samples : counts)
         all.push_back(path("path, real time, unfiltered", samples, unfiltered_real_time(), kRealTime));
+    for (Contestant& filtered : single_filters(unfiltered_real_time(), kRealTime))
+        all.push_back(std::move(filtered));
     for (const int frames : {1, 4, 16}) {
         all.push_back(in_a_row("path, real time, denoised", kRealTime, frames,
                                denoised_run(gh::render::realtime_path())));

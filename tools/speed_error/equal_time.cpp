@@ -6,15 +6,21 @@
 
 namespace speed_error {
 
+namespace {
+
+constexpr const char* kUnfiltered = "path, real time, unfiltered";
+
+}  // namespace
+
 std::vector<Finding> filter_gains(const std::vector<Row>& rows) {
     std::vector<Finding> gains;
     for (const Row& row : rows) {
-        if (row.family != "path, real time, denoised") continue;
+        const bool is_filtered = row.family.starts_with("path, real time, ") && row.family != kUnfiltered;
+        if (!is_filtered) continue;
         for (const auto& [measure, error] :
              {std::pair("relMSE", &Row::rel_mse),
               std::pair("relMSE without the worst thousandth", &Row::rel_mse_trimmed)}) {
-            const double plain =
-                error_at_cost(rows, row.view, "path, real time, unfiltered", row.core_ms, error);
+            const double plain = error_at_cost(rows, row.view, kUnfiltered, row.core_ms, error);
             if (!(plain > 0.0) || !(row.*error > 0.0)) continue;
             gains.push_back({.table = "filtered against unfiltered at equal time",
                              .view = row.view,

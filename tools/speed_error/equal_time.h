@@ -9,7 +9,7 @@
 
 namespace speed_error {
 
-// Of every view: each denoised row beside what the same renderer without a filter would reach in the very same time.
+// Of every view: each filtered row beside what the same renderer without a filter would reach in the very same time.
 [[nodiscard]] std::vector<Finding> filter_gains(const std::vector<Row>& rows);
 
 // Slope of log rms error over log samples of every family with at least three numbers of samples.
