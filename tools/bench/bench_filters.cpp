@@ -205,6 +205,13 @@ void bench_showing(const Bench& b) {
         answer());
 }
 
+// There and back again, so that history always fits.
+std::size_t walked(std::size_t round) {
+    constexpr std::size_t kThere = 11;
+    const std::size_t at = round % (2 * kThere);
+    return at <= kThere ? at : 2 * kThere - at;
+}
+
 void bench_denoiser(const Bench& b, const char* name, bool has_indirect, bool has_specular) {
     filter::Denoiser denoiser;
     filter::Plane3 out;
@@ -217,9 +224,7 @@ void bench_denoiser(const Bench& b, const char* name, bool has_indirect, bool ha
     b.row(
         name,
         [&](int) {
-            // There and back again, so that history always fits.
-            const std::size_t at = next++ % 22;
-            const gh::test::Frame& frame = frames[at < 12 ? at : 22 - at];
+            const gh::test::Frame& frame = frames[walked(next++)];
             denoiser.denoise(frame.surfaces, frame.noisy, {}, b.jobs, out);
         },
         out.x);
@@ -237,8 +242,7 @@ void bench_whole(const Bench& b, const char* name, bool halves) {
     b.row(
         name,
         [&](int) {
-            const std::size_t at = next++ % 22;
-            const gh::test::Frame& frame = frames[at < 12 ? at : 22 - at];
+            const gh::test::Frame& frame = frames[walked(next++)];
             denoiser.denoise(frame.surfaces, frame.noisy,
                              {.halves_indirect = halves, .halves_specular = halves, .adds_up = true}, b.jobs,
                              small);
