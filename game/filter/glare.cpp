@@ -88,11 +88,16 @@ void widen(const Image& in, int side, int width, const Jobs& jobs, Image& out) {
     });
 }
 
+// Two rows of the veil, and where between them a row of the picture lies.
+struct VeilRows {
+    const float *above, *below;
+    float lower;  // share of the one below
+};
+
 // Plain floats, which compilers turn into vectors.
-void lay_over(const float* picture, const float* above, const float* below, float lower, float share,
-              std::size_t count, float* out) {
+void lay_over(const float* picture, const VeilRows& rows, float share, std::size_t count, float* out) {
     for (std::size_t i = 0; i < count; ++i) {
-        const float veil = above[i] + (below[i] - above[i]) * lower;
+        const float veil = rows.above[i] + (rows.below[i] - rows.above[i]) * rows.lower;
         out[i] = picture[i] * (1.0f - share) + veil * share;
     }
 }
@@ -119,8 +124,9 @@ void Glare::veil(const Image& picture, const GlareSettings& settings, const Jobs
     jobs.run(rows_of(picture), [&](std::size_t row, int) {
         const int y = static_cast<int>(row);
         const Between v = between(y, side, wide_.height);
-        lay_over(&picture.pixels[picture.index(0, y)].x, &wide_.at(0, v.low).x, &wide_.at(0, v.high).x,
-                 v.share, settings.share, 3 * static_cast<std::size_t>(picture.width), &out.at(0, y).x);
+        const VeilRows rows{&wide_.at(0, v.low).x, &wide_.at(0, v.high).x, v.share};
+        lay_over(&picture.at(0, y).x, rows, settings.share, 3 * static_cast<std::size_t>(picture.width),
+                 &out.at(0, y).x);
     });
 }
 

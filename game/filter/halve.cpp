@@ -114,48 +114,49 @@ static HWY_INLINE Between between(std::size_t x) {
     return to;
 }
 
-static void widen_row(const WidenRow& row) {
+static HWY_INLINE void widen_vector(const WidenRow& row, std::size_t x) {
     const Floats zero = hn::Zero(F()), one = splat(1.0f);
-    for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) {
-        const Surface surface = surface_at(row.large, x, 2.0f);
-        const Ints part = hn::LoadU(I(), reinterpret_cast<const std::int32_t*>(row.large_part) + x);
-        const Between at = between(x);
-        const Places places = places_at(at.left);
-        Floats sum[2][3] = {{zero, zero, zero}, {zero, zero, zero}}, total[2] = {zero, zero};
-        for (int tap = 0; tap < 4; ++tap) {
-            const int i = tap % 2, j = tap / 2;
-            const Floats down = splat(j == 0 ? 1.0f - row.below : row.below);
-            const Lanes is_in = inside(hn::Add(at.left, hn::Set(I(), i)), row.small_width);
-            // Sky has no light to give and takes none.
-            const Lanes is_sky = hn::Eq(read_at(row.small[j].nearness, places, i), zero);
-            const Lanes is_apart = hn::Xor(is_sky, hn::Eq(surface.nearness, zero));
-            const Lanes counts = hn::AndNot(is_apart, is_in);
-            const Floats near = zero_unless(counts, hn::Mul(at.share[i], down));
-            const Floats kind = alike(surface, row.small[j], places, i, at.off[i], splat(row.offset_y[j]));
-            const auto small_part = hn::TableLookupLanes(
-                hn::LoadU(I(), reinterpret_cast<const std::int32_t*>(row.small_part[j]) + places.start + i),
-                hn::IndicesFromVec(I(), places.beyond));
-            const Lanes same_part = hn::RebindMask(F(), hn::Eq(small_part, part));
-            for (int light = 0; light < row.lights; ++light) {
-                const Floats fits = row.asks_part[light] ? choose(same_part, kind, splat(kForeign)) : kind;
-                const Floats weight = hn::Mul(near, fits);
-                total[light] = hn::Add(total[light], weight);
-                for (std::size_t c = 0; c < 3; ++c) {
-                    const Floats value = zero_unless(counts, read_at(row.light[light][j][c], places, i));
-                    sum[light][c] = hn::Add(sum[light][c], hn::Mul(weight, value));
-                }
+    const Surface surface = surface_at(row.large, x, 2.0f);
+    const Ints part = hn::LoadU(I(), reinterpret_cast<const std::int32_t*>(row.large_part) + x);
+    const Between at = between(x);
+    const Places places = places_at(at.left);
+    Floats sum[2][3] = {{zero, zero, zero}, {zero, zero, zero}}, total[2] = {zero, zero};
+    for (int tap = 0; tap < 4; ++tap) {
+        const int i = tap % 2, j = tap / 2;
+        const Floats down = splat(j == 0 ? 1.0f - row.below : row.below);
+        const Lanes is_in = inside(hn::Add(at.left, hn::Set(I(), i)), row.small_width);
+        // Sky has no light to give and takes none.
+        const Lanes is_sky = hn::Eq(read_at(row.small[j].nearness, places, i), zero);
+        const Lanes is_apart = hn::Xor(is_sky, hn::Eq(surface.nearness, zero));
+        const Lanes counts = hn::AndNot(is_apart, is_in);
+        const Floats near = zero_unless(counts, hn::Mul(at.share[i], down));
+        const Floats kind = alike(surface, row.small[j], places, i, at.off[i], splat(row.offset_y[j]));
+        const auto small_part = hn::TableLookupLanes(
+            hn::LoadU(I(), reinterpret_cast<const std::int32_t*>(row.small_part[j]) + places.start + i),
+            hn::IndicesFromVec(I(), places.beyond));
+        const Lanes same_part = hn::RebindMask(F(), hn::Eq(small_part, part));
+        for (int light = 0; light < row.lights; ++light) {
+            const Floats fits = row.asks_part[light] ? choose(same_part, kind, splat(kForeign)) : kind;
+            const Floats weight = hn::Mul(near, fits);
+            total[light] = hn::Add(total[light], weight);
+            for (std::size_t c = 0; c < 3; ++c) {
+                const Floats value = zero_unless(counts, read_at(row.light[light][j][c], places, i));
+                sum[light][c] = hn::Add(sum[light][c], hn::Mul(weight, value));
             }
         }
-        for (int light = 0; light < row.lights; ++light) {
-            const Lanes found = hn::Gt(total[light], zero);
-            const Floats scale = hn::Div(one, choose(found, total[light], one));
-            const Floats own_red = load(row.out[light][0] + x), own_blue = load(row.out[light][2] + x);
-            const Floats own[3] = {own_red, luminance(own_red, load(row.out[light][1] + x), own_blue),
-                                   own_blue};
-            for (std::size_t c = 0; c < 3; ++c)
-                store(choose(found, hn::Mul(sum[light][c], scale), own[c]), row.out[light][c] + x);
-        }
     }
+    for (int light = 0; light < row.lights; ++light) {
+        const Lanes found = hn::Gt(total[light], zero);
+        const Floats scale = hn::Div(one, choose(found, total[light], one));
+        const Floats own_red = load(row.out[light][0] + x), own_blue = load(row.out[light][2] + x);
+        const Floats own[3] = {own_red, luminance(own_red, load(row.out[light][1] + x), own_blue), own_blue};
+        for (std::size_t c = 0; c < 3; ++c)
+            store(choose(found, hn::Mul(sum[light][c], scale), own[c]), row.out[light][c] + x);
+    }
+}
+
+static void widen_row(const WidenRow& row) {
+    for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) widen_vector(row, x);
 }
 
 }  // namespace gh::filter::HWY_NAMESPACE
