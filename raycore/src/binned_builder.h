@@ -24,7 +24,7 @@ struct alignas(32) BinaryNode {
     std::uint32_t
         first;  // leaf: first of its items; inner: index of the left child, the right one being next
     float max[3];
-    std::uint32_t count;  // items of a leaf; kInner and how many refs it was made of for an inner node
+    std::uint32_t count;  // items of a leaf; kInner and how many items are below it for an inner node
 
     static constexpr std::uint32_t kInner = 0x80000000u;
     [[nodiscard]] bool is_leaf() const { return (count & kInner) == 0; }
@@ -34,13 +34,15 @@ static_assert(sizeof(BinaryNode) == 32);
 
 struct BinaryTree {
     std::unique_ptr<BinaryNode[]> nodes;  // the root first
+    std::unique_ptr<std::uint8_t[]>
+        heights;  // of nodes: 0 of a leaf; only of those that are cut from the top
     std::size_t size = 0;
     Unfilled<std::uint32_t> items;  // of refs, leaf by leaf
 };
 
 struct SplitCosts {
     std::uint32_t max_leaf = 8;
-    float step = 0.9f;  // of a binary node; at .7 trees are 2-3 bytes a triangle larger, and rays no faster
+    float step = 0.7f;  // of a binary node; collapse.cpp puts together again what is not worth a wide one
     // Of one whose surface is more than this share of the root's: so many rays come by that it stays in the caches, and
     // there are few of them. What is cut there ends the large leaves that nearly every ray would look into for nothing.
     float step_if_large = 0.4f;

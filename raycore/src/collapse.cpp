@@ -3,6 +3,7 @@
 #include "data.h"
 #include "parallel.h"
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 
@@ -14,37 +15,35 @@ namespace {
 constexpr std::uint32_t kParallelRefs = 4096;
 // In shares of the root's surface: a node is never for nothing, so where all surfaces vanish few nodes are best.
 constexpr float kSurfaceOfNode = 1e-7f;
-
-// Follows a path down the binary tree whose first leaf stands in for lanes that are empty.
-std::uint32_t first_leaf(const BinaryNode* binary) {
-    std::uint32_t at = 0;
-    while (!binary[at].is_leaf()) at = binary[at].first;
-    return at;
-}
+// What a leaf costs, and each triangle in it, in steps at a wide node. Builders cut finer than that, since they do not know
+// yet where a node's lanes would be free for the pieces.
+constexpr float kLeaf = 0.57f;
+constexpr float kItem = 0.17f;
 
 // What a binary subtree costs when it may take up to i lanes of the node above it, for i = 1 ... 8: the surfaces of all
-// wide nodes in it, in shares of the root's, and how many they are.
+// wide nodes and leaves in it, in shares of the root's and times what they cost, and how many nodes they are.
 struct Costs {
     float area[kernel::kWidth + 1] = {};
     std::uint32_t nodes[kernel::kWidth + 1] = {};
+    int lanes = 1;  // more than its binary leaves it can not take; what stands behind is not told
 };
 
 // How many of i lanes go to the left child of a binary node; 0 where one lane less is as good. lefts[1] is how many of
 // all eight go left when the node is made a wide one itself.
 struct Plan {
+    bool is_leaf;  // all of it in one
     std::uint8_t lefts[kernel::kWidth + 1];
 };
 
-// `Leaves` says how a leaf is named, what its lane's word is, and how a node's word comes from its lanes' and the
-// number of nodes below it. Twice over the tree: upwards to find the cheapest set of wide nodes, whose number tells
-// every node its place, and downwards to write them.
+// `Leaves` says what a leaf costs, how many items may be put together in one, how it is named, what its lane's word is, and
+// how a node's word comes from its lanes' and the number of nodes below it. Twice over the tree: upwards to find the cheapest
+// set of wide nodes and leaves, whose number tells every node its place, and downwards to write them.
 template <class Leaves>
 class Collapse {
   public:
     Collapse(const BinaryTree& tree, const Leaves& leaves)
         : binary_(tree.nodes.get()),
           leaves_(leaves),
-          harmless_leaf_(leaves.code(binary_[first_leaf(binary_)])),
           plans_(std::make_unique_for_overwrite<Plan[]>(tree.size)),
           sizes_(std::make_unique_for_overwrite<std::uint32_t[]>(tree.size)) {}
 
@@ -56,7 +55,13 @@ class Collapse {
         }
         const float area = half_area(binary_[0]), per_area = 1.0f / area;
         per_root_area_ = area > 0.0f && per_area < std::numeric_limits<float>::infinity() ? per_area : 0.0f;
-        tree.nodes.resize(plan(0).nodes[1]);
+        const std::uint32_t count = plan(0).nodes[1];
+        if (plans_[0].is_leaf) {
+            tree.root = leaves_.code(as_leaf(0));
+            return tree;
+        }
+        harmless_leaf_ = leaves_.code(as_leaf(some_leaf()));
+        tree.nodes.resize(count);
         nodes_ = tree.nodes.data();
         write(0, 0);
         tree.root = 0;
@@ -73,20 +78,29 @@ class Collapse {
         }
     }
 
-    // The least surface of wide nodes, for any number of lanes: dynamic programming (Ylitie, Karras, Laine 2017).
+    // Of the root's; nothing where that vanishes or is none.
+    [[nodiscard]] float share_of_surface(const BinaryNode& node) const {
+        return per_root_area_ > 0.0f ? half_area(node) * per_root_area_ : 0.0f;
+    }
+
+    // The least surface of wide nodes and leaves, for any number of lanes: dynamic programming (Ylitie, Karras, Laine 2017).
     Costs plan(std::uint32_t at) {
         const BinaryNode& node = binary_[at];
-        if (node.is_leaf()) return {};
+        const float area_here = share_of_surface(node), as_leaf = area_here * leaves_.cost(node.size());
+        plans_[at] = {node.is_leaf(), {}};
+        Costs costs;
+        costs.area[1] = as_leaf;
+        if (node.is_leaf()) return costs;
         Costs sides[2];
         for_lanes(node.size() >= kParallelRefs, 2,
                   [&](int i) { sides[i] = plan(node.first + static_cast<std::uint32_t>(i)); });
         const auto& [left, right] = sides;
-        Costs costs;
         costs.area[1] = std::numeric_limits<float>::infinity();
-        for (int i = 2; i <= kernel::kWidth; ++i) {
+        costs.lanes = std::min(kernel::kWidth, left.lanes + right.lanes);
+        for (int i = 2; i <= costs.lanes; ++i) {
             int best = 0;
             float area = costs.area[i - 1];
-            for (int k = 1; k < i; ++k) {
+            for (int k = std::max(1, i - right.lanes); k <= std::min(i - 1, left.lanes); ++k) {
                 const float sum = left.area[k] + right.area[i - k];
                 if (sum < area) {
                     area = sum;
@@ -97,19 +111,45 @@ class Collapse {
             costs.area[i] = area;
             costs.nodes[i] = best == 0 ? costs.nodes[i - 1] : left.nodes[best] + right.nodes[i - best];
         }
-        int lanes = kernel::kWidth;  // of the node this becomes when it gets one lane
+        int lanes = costs.lanes;  // of the node this becomes when it gets one lane
         while (lanes > 2 && plans_[at].lefts[lanes] == 0) --lanes;
         plans_[at].lefts[1] = plans_[at].lefts[lanes];
-        costs.area[1] = costs.area[kernel::kWidth] + half_area(node) * per_root_area_ + kSurfaceOfNode;
-        costs.nodes[1] = sizes_[at] = 1 + costs.nodes[kernel::kWidth];
+        costs.area[1] = costs.area[costs.lanes] + area_here + kSurfaceOfNode;
+        costs.nodes[1] = sizes_[at] = 1 + costs.nodes[costs.lanes];
+        if (node.size() <= Leaves::kMost && as_leaf <= costs.area[1]) {
+            plans_[at].is_leaf = true;
+            costs.area[1] = as_leaf;
+            costs.nodes[1] = sizes_[at] = 0;
+        }
         // One lane may do better than several: then several make no use of the others.
-        for (int i = 2; i <= kernel::kWidth; ++i) {
+        for (int i = 2; i <= costs.lanes; ++i) {
             if (costs.area[i] < costs.area[1]) break;
             plans_[at].lefts[i] = 0;
             costs.area[i] = costs.area[1];
             costs.nodes[i] = costs.nodes[1];
         }
         return costs;
+    }
+
+    // One that will be written.
+    [[nodiscard]] std::uint32_t some_leaf() const {
+        std::uint32_t at = 0;
+        while (!plans_[at].is_leaf) {
+            std::uint32_t lanes[kernel::kWidth];
+            int n = 0;
+            open(at, kernel::kWidth, plans_[at].lefts[1], lanes, n);
+            at = lanes[0];
+        }
+        return at;
+    }
+
+    // All items below a node, which lie side by side.
+    [[nodiscard]] BinaryNode as_leaf(std::uint32_t at) const {
+        BinaryNode leaf = binary_[at];
+        leaf.count = leaf.size();
+        while (!binary_[at].is_leaf()) at = binary_[at].first;
+        leaf.first = binary_[at].first;
+        return leaf;
     }
 
     // The word of the node that is written at `index`.
@@ -127,12 +167,13 @@ class Collapse {
                 node.bounds[2 * a][i] = child.min[a];
                 node.bounds[2 * a + 1][i] = child.max[a];
             }
-            node.child[i] = child.is_leaf() ? leaves_.code(child) : next;
-            if (!child.is_leaf()) next += sizes_[lanes[i]];
+            const bool is_leaf = plans_[lanes[i]].is_leaf;
+            node.child[i] = is_leaf ? leaves_.code(as_leaf(lanes[i])) : next;
+            if (!is_leaf) next += sizes_[lanes[i]];
         }
         for_lanes(binary_[at].size() >= kParallelRefs, n, [&](int i) {
-            const BinaryNode& child = binary_[lanes[i]];
-            node.layers[i] = child.is_leaf() ? leaves_.word(child) : write(lanes[i], node.child[i]);
+            const bool is_leaf = plans_[lanes[i]].is_leaf;
+            node.layers[i] = is_leaf ? leaves_.word(as_leaf(lanes[i])) : write(lanes[i], node.child[i]);
         });
         std::uint32_t words = 0;
         for (int i = 0; i < n; ++i) words |= node.layers[i];
@@ -177,7 +218,7 @@ class Collapse {
 
     const BinaryNode* binary_;
     const Leaves& leaves_;
-    std::uint32_t harmless_leaf_;
+    std::uint32_t harmless_leaf_ = 0;  // stands in for lanes that are empty
     float per_root_area_ = 0.0f;
     std::unique_ptr<Plan[]> plans_;
     std::unique_ptr<std::uint32_t[]> sizes_;  // wide nodes below, and itself, when opened
@@ -185,15 +226,20 @@ class Collapse {
 };
 
 struct BlasLeaves {
+    static constexpr std::uint32_t kMost = kernel::kWidth;
+
+    static float cost(std::uint32_t items) { return kLeaf + kItem * float(items); }
     std::uint32_t code(const BinaryNode& leaf) const { return leaf_code(leaf.first, leaf.count); }
     std::uint32_t word(const BinaryNode&) const { return 1; }
     std::uint32_t word_of_node(std::uint32_t, std::uint32_t nodes) const { return nodes; }
 };
 
 struct TlasLeaves {
+    static constexpr std::uint32_t kMost = 0;
     const std::uint32_t* items;
     const std::vector<std::uint32_t>& layers;
 
+    static float cost(std::uint32_t) { return 0.0f; }
     std::uint32_t code(const BinaryNode& leaf) const { return kernel::kLeafBit | items[leaf.first]; }
     std::uint32_t word(const BinaryNode& leaf) const { return layers[items[leaf.first]]; }
     std::uint32_t word_of_node(std::uint32_t words, std::uint32_t) const { return words; }

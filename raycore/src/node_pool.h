@@ -15,19 +15,23 @@ namespace rc::build {
 class NodePool {
   public:
     explicit NodePool(std::size_t refs)
-        : nodes_(std::make_unique_for_overwrite<BinaryNode[]>(2 * refs)), next_(1) {}
+        : nodes_(std::make_unique_for_overwrite<BinaryNode[]>(2 * refs)),
+          heights_(std::make_unique_for_overwrite<std::uint8_t[]>(2 * refs)),
+          next_(1) {}
 
     BinaryNode& operator[](std::size_t i) { return nodes_[i]; }
+    std::uint8_t& height_of(std::size_t i) { return heights_[i]; }
 
     [[nodiscard]] std::uint32_t take_pairs(std::size_t pairs) {
         return next_.fetch_add(static_cast<std::uint32_t>(2 * pairs), std::memory_order_relaxed);
     }
     [[nodiscard]] BinaryTree release(Unfilled<std::uint32_t> items) {
-        return {std::move(nodes_), next_.load(), std::move(items)};
+        return {std::move(nodes_), std::move(heights_), next_.load(), std::move(items)};
     }
 
   private:
     std::unique_ptr<BinaryNode[]> nodes_;
+    std::unique_ptr<std::uint8_t[]> heights_;
     std::atomic<std::uint32_t> next_;
 };
 

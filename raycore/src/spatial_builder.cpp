@@ -3,6 +3,7 @@
 #include "clip.h"
 #include "dispatch.h"
 #include "parallel.h"
+#include "reinsert.h"
 #include "top_down_builder.h"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ using kernel::Split;
 
 constexpr std::size_t kParallelRange = 65536;
 constexpr std::size_t kPiecesAtATime = 16384;
+constexpr std::size_t kParallelGather = 4096;
 // Planes are tried where the best halves' boxes overlap by more than these shares of the root's surface and of their
 // own range's. Lower shares cost time and memory and gain little: 1e-5 alone doubles the build for the same cost of rays,
 // 1e-4 makes the museum's trees a twentieth larger and 2 % of one of four kinds of rays faster.
@@ -82,10 +84,11 @@ class SpatialBuilder {
             return true;
         };
         build::Growth(pool_, cut).grow({whole, refs_.size()});
-        Unfilled<std::uint32_t> items;
-        items.reserve(count_ + count_ / 8);
-        gather(0, items);
-        return pool_.release(std::move(items));
+        BinaryTree tree = pool_.release({});
+        reinsert(tree);
+        tree.items.resize(tree.nodes[0].size());
+        gather(tree.nodes.get(), 0, 0, tree.items);
+        return tree;
     }
 
   private:
@@ -237,17 +240,22 @@ class SpatialBuilder {
         right.limit = plot.limit;
     }
 
-    // Leaf by leaf; leaves then name ranges of `items`.
-    void gather(std::uint32_t at, Unfilled<std::uint32_t>& items) {
-        BinaryNode& node = pool_[at];
-        if (!node.is_leaf()) {
-            gather(node.first, items);
-            gather(node.first + 1, items);
+    // Leaf by leaf, from items[first] on; leaves then name ranges of `items`.
+    void gather(BinaryNode* nodes, std::uint32_t at, std::uint32_t first, Unfilled<std::uint32_t>& items) {
+        BinaryNode& node = nodes[at];
+        if (node.is_leaf()) {
+            for (std::uint32_t i = 0; i < node.count; ++i) items[first + i] = refs_[node.first + i].item;
+            node.first = first;
             return;
         }
-        const std::size_t first = node.first;
-        node.first = static_cast<std::uint32_t>(items.size());
-        for (std::size_t i = 0; i < node.count; ++i) items.push_back(refs_[first + i].item);
+        const auto left = [&] { gather(nodes, node.first, first, items); };
+        const auto right = [&] { gather(nodes, node.first + 1, first + nodes[node.first].size(), items); };
+        if (node.size() >= kParallelGather) {
+            both_in_parallel(left, right);
+        } else {
+            left();
+            right();
+        }
     }
 
     std::size_t count_;

@@ -28,6 +28,7 @@ class Growth {
     static constexpr std::size_t kParallelSubtree = 4096;  // below it a task costs more than it gains
 
     void grow(const Plot& plot, std::uint32_t at, int depth, PairSupply* supply) {
+        pool_.height_of(at) = 0;
         const std::size_t n = plot.range.size();
         BinaryNode& node = pool_[at];
         set_box(node, plot.range.boxes);
@@ -36,18 +37,21 @@ class Growth {
         Plot left, right;
         if (!cut_(plot, depth, left, right)) return;
 
-        node.count |= BinaryNode::kInner;
         if (supply != nullptr || n < kParallelSubtree) {
             PairSupply own(pool_, plot.limit - plot.range.begin);
             PairSupply& pairs = supply != nullptr ? *supply : own;
             node.first = pairs.take();
             grow(left, node.first, depth + 1, &pairs);
             grow(right, node.first + 1, depth + 1, &pairs);
-            return;
+        } else {
+            node.first = pool_.take_pairs(1);
+            both_in_parallel([&] { grow(left, node.first, depth + 1, nullptr); },
+                             [&] { grow(right, node.first + 1, depth + 1, nullptr); });
         }
-        node.first = pool_.take_pairs(1);
-        both_in_parallel([&] { grow(left, node.first, depth + 1, nullptr); },
-                         [&] { grow(right, node.first + 1, depth + 1, nullptr); });
+        // Pieces count as well, which were not there yet when the plot was.
+        node.count = BinaryNode::kInner | (pool_[node.first].size() + pool_[node.first + 1].size());
+        const std::uint8_t below = std::max(pool_.height_of(node.first), pool_.height_of(node.first + 1));
+        pool_.height_of(at) = static_cast<std::uint8_t>(1 + below);
     }
 
     NodePool& pool_;

@@ -81,6 +81,26 @@ TEST_P(Tree, HoldsEveryTriangleThatWasKept) {
     EXPECT_LE(primitives.size(), 2 * once.size());  // spatial splits repeat some
 }
 
+// What is read of a lane that nothing is in must be a block of triangles, laid out as its leaf says.
+TEST_P(Tree, EmptyLanesNameALeafThatExists) {
+    Random random(6);
+    const auto blas = rc::build_blas(test::make_soup(random, 3000, 5.0f, 0.3f).view(), {GetParam()});
+    std::set<std::uint32_t> leaves;
+    for (const rc::kernel::WideNode& node : blas->data().nodes)
+        for (int i = 0; i < rc::kernel::kWidth; ++i)
+            if (node.layers[i] != 0 && (node.child[i] & rc::kernel::kLeafBit) != 0)
+                leaves.insert(node.child[i]);
+    int empty = 0;
+    for (const rc::kernel::WideNode& node : blas->data().nodes) {
+        for (int i = 0; i < rc::kernel::kWidth; ++i) {
+            if (node.layers[i] != 0) continue;
+            ++empty;
+            EXPECT_TRUE(leaves.contains(node.child[i]));
+        }
+    }
+    EXPECT_GT(empty, 100);
+}
+
 // Sizes and places that grow by a constant factor tempt every step to split one triangle off.
 TEST_P(Tree, IsNeverDeeperThanTheStacksAreHigh) {
     Mesh spiral;
