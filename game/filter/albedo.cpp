@@ -3,21 +3,18 @@
 #include "filter/albedo_kernel.h"
 #include "filter/rows.h"
 
+#include <algorithm>
 #include <array>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "filter/albedo.cpp"
 #include <hwy/foreach_target.h>
 // foreach_target must come before what is compiled once per target.
+#include "filter/albedo-inl.h"
 #include "filter/simd-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gh::filter::HWY_NAMESPACE {
-
-static HWY_INLINE Floats usable_albedo(const float* from) {
-    const Floats albedo = load(from), least = splat(kLeastAlbedo);
-    return choose(hn::And(hn::Gt(albedo, least), is_finite(albedo)), albedo, least);
-}
 
 static void demodulate_row(const DemodulateRow& row) {
     for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) {
@@ -136,6 +133,16 @@ void remodulate(const Parts& parts, const Plane3& albedo, const Jobs& jobs, Plan
 }
 
 RowWork remodulate_rows(const Parts& parts, const Plane3& albedo, Plane3& out) {
+    const RemodulatedRows rows = remodulated_rows(parts, albedo);
+    out.fit(rows.width, rows.height);
+    return [work = rows.work, &out](int y) {
+        float* to[3];
+        point_to(to, out, y);
+        work(y, to);
+    };
+}
+
+RemodulatedRows remodulated_rows(const Parts& parts, const Plane3& albedo) {
     std::array<const Plane3*, 4> lights = {parts.direct, parts.indirect, parts.specular, parts.clean};
     const Plane3* size = albedo.empty() ? nullptr : &albedo;
     for (const Plane3*& light : lights) {
@@ -146,8 +153,7 @@ RowWork remodulate_rows(const Parts& parts, const Plane3& albedo, Plane3& out) {
     for (const Plane3* light : lights) {
         EXPECTS(light == nullptr || (light->width() == width && light->height() == height));
     }
-    out.fit(width, height);
-    return [lights, width, gloss = parts.gloss, &albedo, &out](int y) {
+    const auto work = [lights, width, gloss = parts.gloss, &albedo](int y, float* const out[3]) {
         RemodulateRow row{};
         for (std::size_t i = 0; i < 4; ++i) {
             if (lights[i] != nullptr) point_to(row.parts[i], *lights[i], y);
@@ -155,9 +161,10 @@ RowWork remodulate_rows(const Parts& parts, const Plane3& albedo, Plane3& out) {
         if (!albedo.empty()) point_to(row.albedo, albedo, y);
         if (gloss != nullptr && !gloss->empty()) point_to(row.gloss, *gloss, y);
         row.width = width;
-        point_to(row.out, out, y);
+        std::copy_n(out, 3, row.out);
         HWY_DYNAMIC_DISPATCH(remodulate_row)(row);
     };
+    return {width, height, work};
 }
 
 }  // namespace gh::filter

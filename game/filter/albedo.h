@@ -11,6 +11,8 @@
 #include "filter/plane.h"
 #include "filter/rows.h"
 
+#include <functional>
+
 namespace gh::filter {
 
 inline constexpr float kLeastAlbedo = 1e-3f;
@@ -36,5 +38,11 @@ struct Parts {
 // `out` has the albedo's size, or that of the first light there is.
 void remodulate(const Parts& parts, const Plane3& albedo, const Jobs& jobs, Plane3& out);
 [[nodiscard]] RowWork remodulate_rows(const Parts& parts, const Plane3& albedo, Plane3& out);
+// The same to rows of whole vectors that a caller keeps elsewhere.
+struct RemodulatedRows {
+    int width, height;
+    std::function<void(int y, float* const out[3])> work;
+};
+[[nodiscard]] RemodulatedRows remodulated_rows(const Parts& parts, const Plane3& albedo);
 
 }  // namespace gh::filter

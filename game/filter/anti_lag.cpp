@@ -28,8 +28,8 @@ static void change_row(const ChangeRow& row) {
 }
 
 static void column_sum_row(const ColumnSumRow& row) {
-    const std::size_t padded = (static_cast<std::size_t>(row.width) + 15) / 16 * 16;
-    for (std::size_t x = 0; x < padded; x += lane_count()) {
+    for (auto x = static_cast<std::size_t>(row.begin); x < static_cast<std::size_t>(row.end);
+         x += lane_count()) {
         Floats difference = hn::Zero(F()), variance = hn::Zero(F());
         for (std::size_t i = 0; i < 5; ++i) {
             const Floats mean = load(row.light[i] + x);
@@ -68,7 +68,8 @@ static HWY_INLINE Floats significant_change(const SettleRow& row, std::size_t x)
 
 static void settle_row(const SettleRow& row) {
     const Floats zero = hn::Zero(F()), one = splat(1.0f), least = splat(row.least_length);
-    for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) {
+    for (auto x = static_cast<std::size_t>(row.begin); x < static_cast<std::size_t>(row.end);
+         x += lane_count()) {
         const Floats change = significant_change(row, x);
         const Floats old = load(row.light[1] + x), length = load(row.length + x);
         const Lanes moved = hn::And(hn::Gt(hn::Abs(change), zero), hn::Gt(length, least));
@@ -210,31 +211,50 @@ void settle(const SettleSettings& settings, const Jobs& jobs, Accumulated& signa
     run_rows(signal.light.height(), jobs, settle_rows(settings, scratch, signal));
 }
 
-RowWork settle_sum_rows(const Accumulated& signal, Plane scratch[2]) {
+namespace {
+
+// The part of a row that settles: all of it, or where something moved by itself.
+RowSpan settling_span(const Movement* only, int y, int width) {
+    const RowSpan all{0, (width + RowSpan::kBlock - 1) / RowSpan::kBlock * RowSpan::kBlock};
+    return only == nullptr ? all : only->itself[static_cast<std::size_t>(y)];
+}
+
+}  // namespace
+
+RowWork settle_sum_rows(const Accumulated& signal, Plane scratch[2], const Movement* only) {
     const int width = signal.light.width(), height = signal.light.height();
     scratch[0].fit(width, height);
     scratch[1].fit(width, height);
-    return [width, height, scratch, &signal](int y) {
+    return [width, height, only, scratch, &signal](int y) {
+        const RowSpan span = settling_span(only, y, width);
+        if (span.begin == span.end) return;
         ColumnSumRow row{};
+        row.begin =
+            std::max(span.begin - RowSpan::kBlock, 0);  // columns beside those that settle are looked at
+        row.end = std::min(span.end + RowSpan::kBlock, settling_span(nullptr, y, width).end);
         for (int i = 0; i < 5; ++i) {
             const int line = std::clamp(y + i - 2, 0, height - 1);
             row.fast[i] = signal.fast.row(line);
             row.light[i] = signal.light.y.row(line);
             row.square[i] = signal.square.row(line);
         }
-        row.width = width;
         row.difference = scratch[0].row(y);
         row.variance = scratch[1].row(y);
         HWY_DYNAMIC_DISPATCH(column_sum_row)(row);
     };
 }
 
-RowWork settle_rows(const SettleSettings& settings, Plane scratch[2], Accumulated& signal) {
+RowWork settle_rows(const SettleSettings& settings, Plane scratch[2], Accumulated& signal,
+                    const Movement* only) {
     EXPECTS(settings.sigmas > 0.0f && settings.fast_longest >= 1.0f);
     // An exponential mean of share a = 1/n keeps a / (2 - a) of the variance of its samples; 25 of them are compared.
     const float noise_share = 1.0f / ((2.0f * settings.fast_longest - 1.0f) * 25.0f * 25.0f);
-    return [settings, noise_share, scratch, &signal](int y) {
+    return [settings, noise_share, only, scratch, &signal](int y) {
+        const RowSpan span = settling_span(only, y, signal.light.width());
+        if (span.begin == span.end) return;
         SettleRow row{};
+        row.begin = span.begin;
+        row.end = span.end;
         row.difference = scratch[0].row(y);
         row.variance = scratch[1].row(y);
         row.width = signal.light.width();

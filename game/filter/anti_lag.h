@@ -21,6 +21,7 @@
 #pragma once
 
 #include "base/jobs.h"
+#include "filter/movement.h"
 #include "filter/plane.h"
 #include "filter/temporal.h"
 
@@ -51,9 +52,12 @@ struct SettleSettings {
 
 // Puts `signal` right in place. `scratch` is any two planes to be used meanwhile.
 void settle(const SettleSettings& settings, const Jobs& jobs, Accumulated& signal, Plane scratch[2]);
-// Its two halves, of which the first asks rows up to kSettleReach away. The second writes where those read.
+// Its two halves, of which the first asks rows up to kSettleReach away. The second writes where those read. With `only`
+// nothing settles but the blocks of columns where something moved by itself: for light of which somebody tells.
 inline constexpr int kSettleReach = 2;
-[[nodiscard]] RowWork settle_sum_rows(const Accumulated& signal, Plane scratch[2]);
-[[nodiscard]] RowWork settle_rows(const SettleSettings& settings, Plane scratch[2], Accumulated& signal);
+[[nodiscard]] RowWork settle_sum_rows(const Accumulated& signal, Plane scratch[2],
+                                      const Movement* only = nullptr);
+[[nodiscard]] RowWork settle_rows(const SettleSettings& settings, Plane scratch[2], Accumulated& signal,
+                                  const Movement* only = nullptr);
 
 }  // namespace gh::filter

@@ -15,12 +15,13 @@ struct ChangeRow {
 // Sums over five rows: of the fast mean less the long one, and of the samples' variance.
 struct ColumnSumRow {
     const float *fast[5], *light[5], *square[5];
-    int width;
+    int begin, end;  // of the columns asked
     float *difference, *variance;
 };
 
 struct SettleRow {
     const float *difference, *variance;
+    int begin, end;  // of the columns asked
     int width;
     float least_length;  // a mean is not made shorter, and a shorter one is left alone
     float noise_share;   // variance of the mean difference, by the sum of the samples' variances

@@ -44,8 +44,7 @@ void Denoiser::add_half(const LightLayer::Frame& whole, RowPasses& passes) {
             wide = {};
             return;
         }
-        passes.add_to(kMendingPass, mend_rows(samples, soft_.mend, wide));
-        passes.add_to(kMendingPass, demodulate_rows(wide, colour, wide));
+        passes.add_to(kMendingPass, mend_rows(samples, soft_.mend, &colour, wide));
     };
     prepare(light.indirect, surfaces.albedo, whole.leaves_indirect, wide_indirect_);
     prepare(light.specular, surfaces.gloss, whole.leaves_specular, wide_specular_);
@@ -103,11 +102,14 @@ void Denoiser::denoise(const GBuffer& surfaces, const Light& light, const Denois
     passes.begin(0);
     passes.add(ends.before);
     const Parts parts = add_layers(surfaces, light, settings, jobs, passes);
-    Plane3& remade = settings.adds_up ? remade_ : out;
-    passes.add(remodulate_rows(parts, surfaces.albedo, remade));
     const Plane* change = whole_.change(light);
-    if (settings.adds_up)
-        pictures_.add_rows(surfaces, remade, change != nullptr ? *change : light.direct_change, passes, out);
+    if (settings.adds_up) {
+        pictures_.add_rows(surfaces, remodulated_rows(parts, surfaces.albedo).work,
+                           {change != nullptr ? *change : light.direct_change, whole_.movement()}, passes,
+                           out);
+    } else {
+        passes.add(remodulate_rows(parts, surfaces.albedo, out));
+    }
     passes.add(ends.after);
     passes.run(surfaces.height(), jobs);
     settings.adds_up ? pictures_.finish(surfaces) : pictures_.forget();

@@ -55,7 +55,6 @@ class Denoiser {
     Halved half_;                          // what half_layer_ is given
     DenoiseSettings soft_;                 // and how
     Luma3 wide_indirect_, wide_specular_;  // first as they are mended, then what came of them
-    Plane3 remade_;                        // before pictures are added up
     PictureMean pictures_;
 };
 

@@ -4,6 +4,7 @@
 #include "filter/enlarge_kernel.h"
 #include "filter/rows.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -154,11 +155,52 @@ void enlarge_row(const Plane& in, const CubicTap& lines, const ColumnTaps& colum
     HWY_DYNAMIC_DISPATCH(cubic_across_row)(across);
 }
 
+void copy_weights(const CubicTap& tap, float to[4]) {
+    std::copy(tap.weight.begin(), tap.weight.end(), to);
+}
+
+// Rows 2 gap + 1 and 2 gap + 2 of the large picture, between the small ones `gap` and `gap` + 1.
+void double_gap(const Plane3& in, int gap, std::vector<float> middle[2], Plane3& out) {
+    DoubleRows rows{};
+    const int upper = 2 * gap + 1, lower = upper + 1;
+    const auto taps_of = [&](int line) {
+        return cubic_tap(std::clamp(line, 0, out.height() - 1), in.height(), out.height());
+    };
+    copy_weights(taps_of(upper), rows.down[0]);
+    copy_weights(taps_of(lower), rows.down[1]);
+    copy_weights(cubic_tap(0, in.width(), out.width()), rows.across[0]);
+    copy_weights(cubic_tap(1, in.width(), out.width()), rows.across[1]);
+    rows.width = in.width();
+    const Plane* const from[3] = {&in.x, &in.y, &in.z};
+    Plane* const to[3] = {&out.x, &out.y, &out.z};
+    for (std::size_t c = 0; c < 3; ++c) {
+        for (int k = 0; k < 4; ++k) rows.in[k] = from[c]->row(std::clamp(gap - 1 + k, 0, in.height() - 1));
+        rows.out[0] = upper >= 0 ? to[c]->row(upper) : nullptr;
+        rows.out[1] = lower < out.height() ? to[c]->row(lower) : nullptr;
+        for (std::size_t i = 0; i < 2; ++i) {
+            middle[i].resize(padded(in.width()) + 3 * kBefore);
+            rows.middle[i] = middle[i].data() + kBefore;
+        }
+        double_rows(rows);
+    }
+}
+
+void enlarge_twice(const Plane3& in, const Jobs& jobs, Plane3& out) {
+    const int gaps = in.height() + 1, bands = (gaps + kRowsAtOnce - 1) / kRowsAtOnce;
+    std::vector<std::array<std::vector<float>, 2>> middles(static_cast<std::size_t>(jobs.threads()));
+    jobs.run(static_cast<std::size_t>(bands), [&](std::size_t band, int worker) {
+        const int begin = static_cast<int>(band) * kRowsAtOnce;
+        for (int gap = begin; gap < std::min(begin + kRowsAtOnce, gaps); ++gap)
+            double_gap(in, gap - 1, middles[static_cast<std::size_t>(worker)].data(), out);
+    });
+}
+
 }  // namespace
 
 void enlarge(const Plane3& in, const Jobs& jobs, Plane3& out) {
     EXPECTS(in.width() >= 1 && in.height() >= 1);
     EXPECTS(out.width() >= in.width() && out.height() >= in.height());
+    if (out.width() == 2 * in.width() && out.height() == 2 * in.height()) return enlarge_twice(in, jobs, out);
     const CubicColumns columns(in.width(), out.width());
     const ColumnTaps taps{columns.first.data(),
                           {columns.weight[0].data(), columns.weight[1].data(), columns.weight[2].data(),

@@ -28,6 +28,17 @@ struct CubicAcrossRow {
     float* out;
 };
 
+// Two rows of a picture of twice the size: those between the second and the third of four small ones.
+struct DoubleRows {
+    const float* in[4];  // repeated at the picture's edges
+    float down[2][4];    // weights of these
+    float across[2][4];  // of four columns, for even and for odd columns of the large picture
+    int width;           // of the small picture
+    float* middle[2];    // as CubicDownRow has it
+    float* out[2];       // null: beyond the picture
+};
+void double_rows(const DoubleRows& rows);
+
 struct JointRow {
     GuideRows large;
     GuideRows small[2];  // upper and lower row

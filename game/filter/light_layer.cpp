@@ -1,6 +1,5 @@
 #include "filter/light_layer.h"
 
-#include "filter/albedo.h"
 #include "filter/mend.h"
 #include "filter/variance.h"
 
@@ -48,8 +47,7 @@ void LightLayer::add_samples(const Plane3& light, const Plane& told, const Plane
     const Plane3* samples = &light;
     if (!frame.is_plain) {
         Plane3& mended = track.scratch[0].light;
-        passes.add(mend_rows(light, frame.settings.mend, mended));
-        passes.add(demodulate_rows(mended, albedo, mended));
+        passes.add(mend_rows(light, frame.settings.mend, &albedo, mended));
         samples = &mended;
     }
     std::swap(track.before, track.mean);
@@ -65,7 +63,9 @@ bool LightLayer::asks_change(const Light& light) const {
 
 // Where each pixel was, for the lights whose samples are added next.
 void LightLayer::find_past(Motion motion, const Frame& frame, RowPasses& passes) {
-    passes.add(reproject_rows(frame.surfaces, guides_, seen_, motion, taps_));
+    const bool leaves = motion == Motion::OfSurface && !seen_.part.empty();
+    has_movement_ = has_movement_ || leaves;
+    passes.add(reproject_rows(frame.surfaces, guides_, seen_, motion, taps_, leaves ? &movement_ : nullptr));
     if (asks_change(frame.light))
         passes.add(carry_rows(frame.light.change_then, taps_, frame.settings.change_sharpness, change_));
 }
@@ -75,6 +75,7 @@ void LightLayer::accumulate_tracks(const Frame& frame, RowPasses& passes) {
     const GBuffer& surfaces = frame.surfaces;
     const Light& light = frame.light;
     const bool has_direct = !light.direct.empty();
+    has_movement_ = false;
     passes.begin(frame.is_plain ? 0 : kMendReach);
     passes.add(guide_rows(surfaces, guides_));
     passes.add(copying_rows(surfaces.part, part_));
@@ -98,10 +99,12 @@ void LightLayer::settle_tracks(const Frame& frame, RowPasses& passes) {
     };
     if (how.settles) {
         const SettleSettings settings{how.settle_sigmas, how.temporal.fast_longest};
+        // Paths that are asked again tell of all light but that on what moves by itself.
+        const Movement* const only = asks_change(frame.light) ? movement() : nullptr;
         passes.begin(kSettleReach);
-        for_all([](Track& track) { return settle_sum_rows(track.mean, track.sums); });
+        for_all([&](Track& track) { return settle_sum_rows(track.mean, track.sums, only); });
         passes.begin(kSettleReach);
-        for_all([&](Track& track) { return settle_rows(settings, track.sums, track.mean); });
+        for_all([&](Track& track) { return settle_rows(settings, track.sums, track.mean, only); });
     }
     passes.begin(kVarianceReach);
     for_all([](Track& track) { return variance_rows(track.mean, track.variance); });

@@ -46,6 +46,9 @@ class LightLayer {
         return asks_change(light) ? &change_ : nullptr;
     }
 
+    // Of surfaces since the last picture; null: nobody found it. Filled when the passes have run.
+    [[nodiscard]] const Movement* movement() const { return has_movement_ ? &movement_ : nullptr; }
+
   private:
     // One of the lights through the frames.
     struct Track {
@@ -68,6 +71,8 @@ class LightLayer {
     SeenSurfaces seen_;
     PlaneU32 part_;  // of this frame
     Taps taps_;
+    Movement movement_;
+    bool has_movement_ = false;
     Track direct_, indirect_, specular_;
     std::array<Smoothing, 3> smoothing_;
     Plane stiffness_;

@@ -7,6 +7,7 @@
 #define HWY_TARGET_INCLUDE "filter/mend.cpp"
 #include <hwy/foreach_target.h>
 // foreach_target must come before what is compiled once per target.
+#include "filter/albedo-inl.h"
 #include "filter/simd-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -66,6 +67,11 @@ static void mend_row(const MendRow& row) {
             const Floats factor = choose(too_bright, hn::Div(most, bright), splat(1.0f));
             c = {hn::Mul(c.r, factor), hn::Mul(c.g, factor), hn::Mul(c.b, factor)};
         }
+        if (row.albedo[0] != nullptr) {
+            c.r = hn::Div(c.r, usable_albedo(row.albedo[0] + x));
+            c.g = hn::Div(c.g, usable_albedo(row.albedo[1] + x));
+            c.b = hn::Div(c.b, usable_albedo(row.albedo[2] + x));
+        }
         store(c.r, row.out[0] + x);
         store(c.g, row.out[1] + x);
         store(c.b, row.out[2] + x);
@@ -85,11 +91,17 @@ void mend(const Plane3& light, const MendSettings& settings, const Jobs& jobs, P
 }
 
 RowWork mend_rows(const Plane3& light, const MendSettings& settings, Plane3& out) {
+    return mend_rows(light, settings, nullptr, out);
+}
+
+RowWork mend_rows(const Plane3& light, const MendSettings& settings, const Plane3* albedo, Plane3& out) {
     EXPECTS(&light != &out && settings.floor >= 0.0f && settings.factor >= 1.0f);
     out.fit(light.width(), light.height());
-    return [settings, &light, &out](int y) {
+    if (albedo != nullptr && albedo->empty()) albedo = nullptr;
+    return [settings, albedo, &light, &out](int y) {
         MendRow row{};
         point_to(row.light, light, y);
+        if (albedo != nullptr) point_to(row.albedo, *albedo, y);
         row.width = light.width();
         row.height = light.height();
         row.y = y;

@@ -29,5 +29,8 @@ void mend(const Plane3& light, const MendSettings& settings, const Jobs& jobs, P
 // Asks rows up to kMendReach away.
 inline constexpr int kMendReach = 1;
 [[nodiscard]] RowWork mend_rows(const Plane3& light, const MendSettings& settings, Plane3& out);
+// And takes it off its colour, as demodulate() does; null or empty: white.
+[[nodiscard]] RowWork mend_rows(const Plane3& light, const MendSettings& settings, const Plane3* albedo,
+                                Plane3& out);
 
 }  // namespace gh::filter

@@ -7,6 +7,7 @@ namespace gh::filter {
 
 struct MendRow {
     const float* light[3];
+    const float* albedo[3];  // that it is divided by once it is mended; null: 1
     int width, height, y;
     std::ptrdiff_t stride;
     float floor, factor;

@@ -13,10 +13,13 @@
 #pragma once
 
 #include "filter/gbuffer.h"
+#include "filter/movement.h"
 #include "filter/plane.h"
 #include "filter/rows.h"
 
 #include <glm/vec2.hpp>
+
+#include <functional>
 
 namespace gh::filter {
 
@@ -24,21 +27,25 @@ class PictureMean {
   public:
     void forget() { has_past_ = false; }
 
-    // As works after those that make `picture`, which must live until they have run; `out` is made to fit and is another.
-    // finish() once they have. `surfaces` may be filled by the passes, but for its lens and sizes. `change` is the share of
-    // each pixel's light that is known to be new; empty: 0.
-    void add_rows(const GBuffer& surfaces, const Plane3& picture, const Plane& change, RowPasses& passes,
-                  Plane3& out);
+    // Writes row `y` of a picture to three rows of whole vectors.
+    using PictureRows = std::function<void(int y, float* const to[3])>;
+    // As works after those that `picture` needs; `out` is made to fit. finish() once they have run. `surfaces` may be filled
+    // by the passes, but for its lens and sizes.
+    struct Change {
+        const Plane& share;                  // of each pixel's light that is known to be new; empty: 0
+        const Movement* movement = nullptr;  // since the last picture, if somebody found it already
+    };
+    void add_rows(const GBuffer& surfaces, const PictureRows& picture, const Change& change,
+                  RowPasses& passes, Plane3& out);
     void finish(const GBuffer& surfaces);
 
   private:
-    void place_row(const GBuffer& surfaces, const Plane3& picture, int y);
-    void smooth_row(int y, const Plane& change, Plane3& out);
+    void smooth_row(int y, const Movement& movement, const Plane& change, Plane3& out);
 
     bool has_past_ = false;
     Pinhole before_;                     // the lens of the last picture
     glm::ivec2 size_{0}, size_then_{0};  // of this picture and of the last
-    Plane motion_x_, motion_y_;          // in pixels, to where each was
+    Movement movement_;                  // if nobody else found it
     Plane3 now_, mean_, next_;           // bordered
 };
 

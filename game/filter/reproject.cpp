@@ -9,6 +9,7 @@
 #define HWY_TARGET_INCLUDE "filter/reproject.cpp"
 #include <hwy/foreach_target.h>
 // foreach_target must come before what is compiled once per target.
+#include "filter/reproject_place-inl.h"
 #include "filter/simd-inl.h"
 #include "filter/taps-inl.h"
 #include "filter/vector-inl.h"
@@ -22,72 +23,6 @@ constexpr float kLeastWeight = 0.01f;             // of four taps together: less
 // The same two where nothing better is known: a thin thing's next pixel may face elsewhere and yet be lit alike.
 constexpr float kLooseNearness = 0.05f;
 constexpr float kLooseNormal = 0.5f;
-// Of a pixel. Rounding noise about a whole pixel would else blur a little and tear neighbours apart.
-constexpr float kPlaceSteps = 256.0f;
-
-static HWY_INLINE Vector minus(const Vector& p, const float* q) {
-    return minus(p, splat3(q));
-}
-
-static HWY_INLINE Floats along(const float* axis, const Vector& d) {
-    return dot(splat(axis[0]), splat(axis[1]), splat(axis[2]), d.x, d.y, d.z);
-}
-
-struct PicturePoint {
-    Floats x, y;
-    Floats nearness;
-};
-
-static HWY_INLINE PicturePoint project(const Projector& eye, const Vector& p) {
-    const Vector d = minus(p, eye.eye);
-    const Floats nearness = hn::Div(splat(1.0f), along(eye.ahead, d));
-    return {hn::Mul(along(eye.across, d), nearness), hn::Mul(along(eye.down, d), nearness), nearness};
-}
-
-// How far behind the surface what it reflects seems to be: the whole way for a mirror, none for a rough surface.
-static HWY_INLINE Vector behind(const ReprojectRow& row, std::size_t x, const Vector& p) {
-    const Vector d = minus(p, row.now.eye);
-    const Floats length = hn::Sqrt(dot(d.x, d.y, d.z, d.x, d.y, d.z));
-    const Floats rough = row.roughness != nullptr ? load(row.roughness + x) : splat(1.0f);
-    const Floats alpha = hn::Mul(rough, rough);
-    const Floats smooth = positive(hn::Sub(splat(1.0f), alpha));
-    const Floats follows = hn::Mul(smooth, hn::Add(hn::Sqrt(smooth), alpha));
-    const Floats share = hn::Div(hn::Mul(positive(load(row.reflected + x)), follows), length);
-    return {hn::Mul(d.x, share), hn::Mul(d.y, share), hn::Mul(d.z, share)};
-}
-
-// Where a pixel's light was in the last picture, in numbers of pixels from the centre of pixel (0, 0), jitter left out;
-// and where the very point of the surface was, with how near.
-struct Then {
-    Floats x, y;
-    PicturePoint surface;
-};
-
-static HWY_INLINE Floats to_steps(Floats place) {
-    const Floats steps = hn::Floor(hn::Add(hn::Mul(place, splat(kPlaceSteps)), splat(0.5f)));
-    return hn::Mul(steps, splat(1.0f / kPlaceSteps));
-}
-
-static HWY_INLINE Then find_place(const ReprojectRow& row, std::size_t x) {
-    Vector here = load3_at(row.position, static_cast<std::ptrdiff_t>(x)),
-           before = load3_at(row.previous, static_cast<std::ptrdiff_t>(x));
-    const PicturePoint surface = project(row.then, before);
-    PicturePoint then = surface;
-    if (row.reflected != nullptr) {
-        const Vector image = behind(row, x, here);
-        here = plus(here, image);
-        then = project(row.then, plus(before, image));
-    }
-    const PicturePoint now = project(row.now, here);
-    const Floats centre =
-        hn::Add(hn::ConvertTo(F(), pixel_numbers(static_cast<std::ptrdiff_t>(x))), splat(0.5f));
-    const Floats scale_x = splat(row.scale_x), scale_y = splat(row.scale_y), half = splat(0.5f);
-    const Floats moved_x = hn::Sub(then.x, hn::Mul(now.x, scale_x));
-    const Floats moved_y = hn::Sub(then.y, hn::Mul(now.y, scale_y));
-    return {to_steps(hn::Add(moved_x, hn::Sub(hn::Mul(centre, scale_x), half))),
-            to_steps(hn::Add(moved_y, hn::Sub(hn::Mul(splat(row.y), scale_y), half))),
-            {hn::Sub(surface.x, half), hn::Sub(surface.y, half), surface.nearness}};
-}
 
 // What is asked of each tap.
 struct Wanted {
@@ -207,7 +142,9 @@ static void weigh_taps(const ReprojectRow& row, std::size_t x, const Then& then)
 
 static void reproject_row(const ReprojectRow& row) {
     for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) {
-        weigh_taps(row, x, find_place(row, x));
+        const Then then = find_place(row, x);
+        weigh_taps(row, x, then);
+        if (row.motion[0] != nullptr) leave_movement(row, x, then);
     }
 }
 
@@ -243,45 +180,57 @@ void Taps::fit(int width, int height) {
     for (Plane& plane : weight) plane.fit(width, height);
 }
 
+ReprojectRow reproject_row_of(const GBuffer& now, const Pinhole& then, glm::ivec2 size_then) {
+    ReprojectRow row{};
+    row.now = projector_of(now.lens);
+    row.then = projector_of(then);
+    row.width = now.width();
+    row.then_width = size_then.x;
+    row.then_height = size_then.y;
+    row.scale_x = static_cast<float>(size_then.x) / static_cast<float>(now.width());
+    row.scale_y = static_cast<float>(size_then.y) / static_cast<float>(now.height());
+    return row;
+}
+
+void point_to_surfaces(const GBuffer& now, int y, ReprojectRow& row) {
+    point_to(row.position, now.position, y);
+    point_to(row.previous, now.previous.empty() ? now.position : now.previous, y);
+    row.part = now.part.row(y);
+    row.y = static_cast<float>(y) + 0.5f;
+}
+
 void reproject(const GBuffer& now, const Guides& guides, const SeenSurfaces& seen, Motion motion,
                const Jobs& jobs, Taps& taps) {
     run_rows(now.height(), jobs, reproject_rows(now, guides, seen, motion, taps));
 }
 
 RowWork reproject_rows(const GBuffer& now, const Guides& guides, const SeenSurfaces& seen, Motion motion,
-                       Taps& taps) {
+                       Taps& taps, Movement* movement) {
     const int width = now.width(), height = now.height();
     EXPECTS(guides.width() == width && guides.height() == height);
+    EXPECTS(movement == nullptr || motion == Motion::OfSurface);
     if (seen.part.empty()) {
         taps.first.resize(width, height);
         for (Plane& weight : taps.weight) weight.resize(width, height);
         return {};
     }
     taps.fit(width, height);
-    ReprojectRow shared{};
-    shared.now = projector_of(now.lens);
-    shared.then = projector_of(seen.lens);
-    shared.width = width;
+    if (movement != nullptr) movement->fit(width, height);
+    ReprojectRow shared = reproject_row_of(now, seen.lens, {seen.part.width(), seen.part.height()});
     shared.then_guides = rows_of(seen.guides, 0);
     shared.then_part = seen.part.row(0);
-    shared.then_width = seen.part.width();
-    shared.then_height = seen.part.height();
     shared.then_stride = seen.part.stride();
-    shared.scale_x = static_cast<float>(shared.then_width) / static_cast<float>(width);
-    shared.scale_y = static_cast<float>(shared.then_height) / static_cast<float>(height);
     const bool follows_reflection = motion == Motion::OfReflection && !now.reflected.empty();
-    return [shared, follows_reflection, &now, &guides, &taps](int y) {
+    return [shared, follows_reflection, movement, &now, &guides, &taps](int y) {
         ReprojectRow row = shared;
-        point_to(row.position, now.position, y);
-        point_to(row.previous, now.previous.empty() ? now.position : now.previous, y);
+        point_to_surfaces(now, y, row);
         point_to(row.normal, now.normal, y);
         row.nearness = guides.nearness.row(y);
         row.roughness = now.roughness.empty() ? nullptr : now.roughness.row(y);
         row.reflected = follows_reflection ? now.reflected.row(y) : nullptr;
-        row.part = now.part.row(y);
-        row.y = static_cast<float>(y) + 0.5f;
         row.first = taps.first.row(y);
         for (std::size_t tap = 0; tap < 4; ++tap) row.weight[tap] = taps.weight[tap].row(y);
+        if (movement != nullptr) point_to_movement(now, y, *movement, row);
         HWY_DYNAMIC_DISPATCH(reproject_row)(row);
     };
 }

@@ -20,6 +20,7 @@
 #include "base/jobs.h"
 #include "filter/gbuffer.h"
 #include "filter/guides.h"
+#include "filter/movement.h"
 
 #include <cstdint>
 
@@ -51,7 +52,8 @@ enum class Motion {
 // `guides` are those of `now`. `taps` is made to fit. With nothing seen every weight is 0.
 void reproject(const GBuffer& now, const Guides& guides, const SeenSurfaces& seen, Motion motion,
                const Jobs& jobs, Taps& taps);
+// `movement`, if anybody asks for it, is that of surfaces; with nothing seen it stays as it is.
 [[nodiscard]] RowWork reproject_rows(const GBuffer& now, const Guides& guides, const SeenSurfaces& seen,
-                                     Motion motion, Taps& taps);
+                                     Motion motion, Taps& taps, Movement* movement = nullptr);
 
 }  // namespace gh::filter

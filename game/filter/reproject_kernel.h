@@ -3,6 +3,7 @@
 
 #include "filter/gbuffer.h"
 #include "filter/guides.h"
+#include "filter/movement.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -37,6 +38,15 @@ struct ReprojectRow {
 
     std::int32_t* first;
     float* weight[4];
+
+    float* motion[2];           // null: nobody asks for it
+    RowSpan* itself;            // null with those
+    float corner[3], right[3];  // then: of the lens; `corner` with how far the row's middle lies down
 };
+
+// What all rows of a picture share but for guides, and what each asks of its own.
+[[nodiscard]] ReprojectRow reproject_row_of(const GBuffer& now, const Pinhole& then, glm::ivec2 size_then);
+void point_to_surfaces(const GBuffer& now, int y, ReprojectRow& row);
+void point_to_movement(const GBuffer& now, int y, Movement& movement, ReprojectRow& row);
 
 }  // namespace gh::filter

@@ -97,5 +97,34 @@ TEST(AntiLag, SettlingLeavesSteadyNoiseAloneAndPullsAStaleMeanDown) {
     EXPECT_LT(test::mean_of(mean.length), 15.0);
 }
 
+// Where somebody tells of light that changed, a test by chance is asked of what moved by itself alone.
+TEST(AntiLag, SettlesNothingButWhatMovedWhereOthersTellOfTheRest) {
+    const Jobs jobs(1);
+    filter::Movement movement;
+    movement.fit(kWidth, kHeight);
+    const filter::RowSpan guard{32, 48};
+    for (int y = 10; y < 20; ++y) movement.itself[static_cast<std::size_t>(y)] = guard;
+    filter::Accumulated all, some;
+    for (filter::Accumulated* mean : {&all, &some}) {
+        mean->fit(kWidth, kHeight);
+        mean->light = Plane3(kWidth, kHeight, glm::vec3(0.5f));
+        mean->square = Plane(kWidth, kHeight, 0.25f);
+        mean->length = Plane(kWidth, kHeight, 20.0f);
+        mean->fast = Plane(kWidth, kHeight, 0.1f);  // it became darker
+    }
+    Plane sums[2], others[2];
+    filter::settle({}, jobs, all, sums);
+    filter::run_rows(kHeight, jobs, filter::settle_sum_rows(some, others, &movement));
+    filter::run_rows(kHeight, jobs, filter::settle_rows({}, others, some, &movement));
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            ASSERT_LT(all.light.y.at(x, y), 0.11f);
+            const bool moved = y >= 10 && y < 20 && x >= guard.begin && x < guard.end;
+            ASSERT_EQ(some.light.y.at(x, y), moved ? all.light.y.at(x, y) : 0.5f) << x << ' ' << y;
+            ASSERT_EQ(some.length.at(x, y), moved ? all.length.at(x, y) : 20.0f) << x << ' ' << y;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace gh

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -54,7 +55,11 @@ class Adder {
     const Plane3& add(const Taken& taken, const Plane& change = {}) {
         filter::RowPasses passes;
         passes.begin(0);
-        mean_.add_rows(taken.surfaces, taken.picture, change, passes, out_);
+        const auto picture = [&](int y, float* const to[3]) {
+            const Plane* const from[3] = {&taken.picture.x, &taken.picture.y, &taken.picture.z};
+            for (std::size_t c = 0; c < 3; ++c) std::copy_n(from[c]->row(y), taken.picture.width(), to[c]);
+        };
+        mean_.add_rows(taken.surfaces, picture, {change}, passes, out_);
         passes.run(taken.surfaces.height(), jobs_);
         mean_.finish(taken.surfaces);
         return out_;
