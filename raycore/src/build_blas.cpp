@@ -30,7 +30,9 @@ BinaryTree binary_tree_of(Unfilled<BuildRef> refs, const MeshView& mesh, BuildQu
 }
 
 void grow_tree(Blas::Data& blas, const MeshView& mesh, BuildQuality quality) {
-    CollectedRefs collected = collect_refs(mesh, blas.report);
+    const std::size_t n = mesh.triangles.size();
+    CollectedRefs collected =
+        collect_refs(mesh, quality == BuildQuality::High ? most_pieces_of(n) : n, blas.report);
     if (collected.refs.empty()) return;
     const BinaryTree binary = binary_tree_of(std::move(collected.refs), mesh, quality);
     WideTree wide = collapse_blas(binary);

@@ -44,10 +44,12 @@ float slack_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     return extent * kSlack;
 }
 
-CollectedRefs collect_refs(const MeshView& mesh, MeshReport& report) {
+CollectedRefs collect_refs(const MeshView& mesh, std::size_t most, MeshReport& report) {
     const std::size_t n = mesh.triangles.size();
-    CollectedRefs collected{Unfilled<BuildRef>(n), build::kNoBox};
+    CollectedRefs collected{{}, build::kNoBox};
     Unfilled<BuildRef>& refs = collected.refs;
+    refs.reserve(std::max(most, n));
+    refs.resize(n);
     // Each block fills its own part of `refs` from the front.
     std::vector<MeshReport> reports((n + kTrianglesAtATime - 1) / kTrianglesAtATime);
     std::vector<GrowingBox> bounds(reports.size(), build::kNoBox);

@@ -8,6 +8,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstddef>
+
 namespace rc {
 
 struct CollectedRefs {
@@ -15,8 +17,9 @@ struct CollectedRefs {
     GrowingBox bounds;  // of the triangles themselves
 };
 
-// In order of primitives, in parallel; what is not worth keeping is counted in `report`.
-[[nodiscard]] CollectedRefs collect_refs(const MeshView& mesh, MeshReport& report);
+// In order of primitives, in parallel, with room reserved for `most` of them; what is not worth keeping is counted in
+// `report`.
+[[nodiscard]] CollectedRefs collect_refs(const MeshView& mesh, std::size_t most, MeshReport& report);
 
 // How far boxes reach beyond a triangle, or a part of it.
 [[nodiscard]] float slack_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);

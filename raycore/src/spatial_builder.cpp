@@ -93,7 +93,7 @@ class SpatialBuilder {
 
   private:
     std::span<BuildRef> make_room() {
-        refs_.resize(std::max(count_, static_cast<std::size_t>(kMostPieces * double(count_))));
+        refs_.resize(most_pieces_of(count_));
         return refs_;
     }
 
@@ -122,6 +122,7 @@ class SpatialBuilder {
             if (!(overlap(objects.left, objects.right) > worth)) return false;
         }
         const SlabGrid grid = slabs_over(plot.range.boxes);
+        if (objects.axis >= 0 && looks_hopeless(plot.range, grid, objects.cost)) return false;
         const Split split = best_plane(plot.range, grid);
         if (split.axis < 0 || !(split.cost < kWorthPieces * objects.cost) ||
             !cutter_.pays(plot.range, split.cost))
@@ -135,6 +136,21 @@ class SpatialBuilder {
             return false;
         part(plot.range, split, plane, left, right);
         return true;
+    }
+
+    // Whether the best plane for one of sixteen refs costs more than halves do for all of them. Boxes of all are no smaller
+    // than those of some, so a plane that is worth its pieces is rarely given up; others cost large ranges a pass for nothing.
+    [[nodiscard]] bool looks_hopeless(const Range& range, const SlabGrid& grid, float cost) const {
+        constexpr std::size_t kOneOf = 16, kAtATime = kPiecesAtATime / kOneOf;
+        if (range.size() < kParallelRange) return false;
+        SlabBins bins;
+        kernels_.clear_slabs(bins, grid.count);
+        std::size_t asked = 0;
+        for (std::size_t i = range.begin; i + kAtATime <= range.end; i += kPiecesAtATime, asked += kAtATime)
+            kernels_.bin_pieces(refs_.data() + i, kAtATime, arrays_, grid, bins);
+        Split split;
+        kernels_.best_plane(bins, split);
+        return split.axis < 0 || split.cost * (float(range.size()) / float(asked)) > cost;
     }
 
     [[nodiscard]] Split best_plane(const Range& range, const SlabGrid& grid) const {
@@ -225,10 +241,16 @@ class SpatialBuilder {
         cutter_.measure(middle, end, right);
     }
 
+    // The refs of a part that may still be cut by planes. Halves of what is small overlap by less than is worth one.
+    [[nodiscard]] std::size_t in_want_of_room(const Range& part) const {
+        return build::half_area(part.boxes) > kOverlapOfRoot * root_area_ ? part.size() : 0;
+    }
+
     // The room left over goes to both parts by their sizes; the right one moves behind the left one's.
     void deal_out(const Plot& plot, Plot& left, Plot& right) {
-        const std::size_t room = plot.limit - right.range.end, lefts = left.range.size();
-        const std::size_t shift = room * lefts / (lefts + right.range.size());
+        const std::size_t lefts = in_want_of_room(left.range), rights = in_want_of_room(right.range);
+        const std::size_t room = plot.limit - right.range.end;
+        const std::size_t shift = lefts == 0 ? 0 : room * lefts / (lefts + rights);
         if (shift > 0) {
             std::move_backward(refs_.begin() + static_cast<std::ptrdiff_t>(right.range.begin),
                                refs_.begin() + static_cast<std::ptrdiff_t>(right.range.end),

@@ -13,11 +13,18 @@
 
 #include "raycore/mesh.h"
 
+#include <algorithm>
+#include <cstddef>
+
 namespace rc {
 
 inline constexpr double kMostPieces = 1.3;  // refs a triangle, over the whole tree
 
-// `refs` become the tree's; not empty.
+[[nodiscard]] inline std::size_t most_pieces_of(std::size_t triangles) {
+    return std::max(triangles, static_cast<std::size_t>(kMostPieces * double(triangles)));
+}
+
+// `refs` become the tree's; not empty. Room for most_pieces_of them that was reserved before saves moving them.
 [[nodiscard]] BinaryTree build_spatial_tree(Unfilled<BuildRef> refs, const MeshView& mesh,
                                             const SplitCosts& costs);
 

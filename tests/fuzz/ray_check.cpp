@@ -85,7 +85,8 @@ std::string check_bodies(const rc::Scene& a, const rc::Scene& b, const World& wo
 
 std::vector<std::shared_ptr<rc::Blas>> blases_of(const World& world, rc::BuildQuality quality) {
     std::vector<std::shared_ptr<rc::Blas>> blases;
-    for (const test::Mesh& mesh : world.meshes) blases.push_back(rc::build_blas(mesh.view(), {quality}));
+    for (const test::Mesh& mesh : world.meshes)
+        blases.push_back(rc::build_blas(mesh.view(), {quality, true}));
     return blases;
 }
 

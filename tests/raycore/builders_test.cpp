@@ -137,7 +137,7 @@ TEST(Builders, SpatialSplitsCostRaysLessAmongBeams) {
 TEST(Builders, RefittingATreeOfPiecesAnswersAsARebuild) {
     Random random(20);
     Mesh blades = make_hall(random, 300, 40);
-    const auto blas = rc::build_blas(blades.view(), {rc::BuildQuality::High});
+    const auto blas = rc::build_blas(blades.view(), {rc::BuildQuality::High, true});
     for (glm::vec3& p : blades.positions) p = glm::vec3(p.y, 0.5f * p.x + 0.3f * p.z, p.z - 0.2f * p.y);
     ASSERT_TRUE(rc::refit_blas(*blas, blades.positions));
     rc::SceneBuilder builder;
@@ -159,7 +159,7 @@ TEST(Builders, EveryIsaGrowsTheSameTree) {
         std::shared_ptr<rc::Blas> first;
         for (const rc::Isa isa : test::supported_isas()) {
             const test::IsaScope scope(isa);
-            const auto blas = rc::build_blas(mesh.view(), {quality});
+            const auto blas = rc::build_blas(mesh.view(), {quality, true});
             (void)rc::refit_blas(*blas, mesh.positions);
             if (!first) first = blas;
             const rc::Blas::Data &a = first->data(), &b = blas->data();
@@ -181,6 +181,13 @@ TEST(Builders, ATreeNotToBeRefittedIsSmallerAndRefuses) {
     EXPECT_FALSE(rc::refit_blas(*fixed, ball.positions));
 #endif
     EXPECT_TRUE(rc::refit_blas(*supple, ball.positions));
+}
+
+TEST(Builders, OnlyTheBestTreesAreNotToBeRefittedUnlessAskedFor) {
+    EXPECT_TRUE(rc::BuildOptions{}.can_refit);
+    EXPECT_TRUE((rc::BuildOptions{.quality = rc::BuildQuality::Fast}.can_refit));
+    EXPECT_FALSE((rc::BuildOptions{.quality = rc::BuildQuality::High}.can_refit));
+    EXPECT_TRUE((rc::BuildOptions{.quality = rc::BuildQuality::High, .can_refit = true}.can_refit));
 }
 
 // Points anywhere on a triangle lie in one of the boxes of its halves, cut wherever: in double, with no tolerance.

@@ -97,7 +97,7 @@ TEST_P(HardRefit, AnswersEveryQuestionAsATreeBuiltAnew) {
     Mesh mesh = make_ball(glm::vec3(0.0f), 1.5f, 6);
     append(mesh, make_box(glm::vec3(-1.9f, -1, -1), glm::vec3(-1.6f, 1, 1)));
     append(mesh, make_sheet(1.9f, -1.2f, 3));
-    const auto blas = rc::build_blas(mesh.view(), {GetParam()});
+    const auto blas = rc::build_blas(mesh.view(), {GetParam(), true});
     std::vector<Fate> all = fates();
     all.push_back(all.front());  // and back again, in one tree, one after the other
     for (const Fate& fate : all) {

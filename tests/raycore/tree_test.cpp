@@ -20,7 +20,7 @@ using test::Random;
 
 std::shared_ptr<rc::Blas> build_with(const Mesh& mesh, std::size_t threads, rc::BuildQuality quality) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    return rc::build_blas(mesh.view(), {quality});
+    return rc::build_blas(mesh.view(), {quality, true});
 }
 
 bool same_tree(const rc::Blas::Data& a, const rc::Blas::Data& b) {

@@ -50,7 +50,7 @@ Answer ask_batches(const rc::Scene& scene, std::span<const rc::Ray> rays, bool a
 RaycoreSide::RaycoreSide(const BenchScene& scene, rc::BuildQuality quality)
     : quality_(quality),
       // High is for what never moves, and keeps nothing for refits, as Embree's static scenes do not.
-      blas_(rc::build_blas(scene.view(), {quality, quality != rc::BuildQuality::High})) {
+      blas_(rc::build_blas(scene.view(), {quality})) {
     rc::SceneBuilder builder;
     builder.add({blas_});
     scene_ = builder.commit();

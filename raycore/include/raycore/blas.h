@@ -24,13 +24,14 @@ struct Box {
 enum class BuildQuality {
     Fast,     // along a space-filling curve: two thirds of the default's time; for what is rebuilt every tick
     Default,  // binned surface-area heuristic (Wald 2007)
-    High,     // and spatial splits (Stich 2009): half as much time again, for what never moves. A refit fits boxes to
-              // whole triangles, so it answers as any other and loses what the splits had gained
+    High,     // and spatial splits (Stich 2009) and reinsertion (Bittner 2013): up to three times the default's time, for
+              // what never moves, so what refits need is not kept unless asked for. A refit fits boxes to whole
+              // triangles: it answers as any other and loses what the splits had gained
 };
 
 struct BuildOptions {
     BuildQuality quality = BuildQuality::Default;
-    bool can_refit = true;  // false saves 8 bytes a triangle (12 in some meshes), and refit_blas refuses
+    bool can_refit = quality != BuildQuality::High;  // 8 bytes a triangle, 12 in some meshes; without, refit_blas refuses
 };
 
 class Blas {
