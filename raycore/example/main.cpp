@@ -17,22 +17,20 @@ int main() {
     builder.add({square, plate});
     const auto scene = builder.commit();  // frozen: any number of threads may ask it from here on
 
-    const glm::vec3 lamp(0.0f, 2.0f, 0.0f);
+    const glm::vec3 lamp(0.0f, 2.0f, 0.0f), eye(3.0f, 2.5f, 3.0f);
     int lit = 0, seen = 0;
     for (int row = 0; row < 20; ++row) {
         for (int column = 0; column < 40; ++column) {
-            const glm::vec3 from(3.0f, 2.5f, 3.0f);
-            const glm::vec3 to(static_cast<float>(column) / 20.0f - 0.975f, 0.0f,
-                               static_cast<float>(row) / 10.0f - 0.95f);
-            const rc::Ray ray{.origin = from, .direction = to - from};
+            const glm::vec3 to(float(column) / 20.0f - 0.975f, 0.0f, float(row) / 10.0f - 0.95f);
+            const rc::Ray ray{.origin = eye, .direction = to - eye};
             const auto hit = rc::closest_hit(*scene, ray, rc::kAllLayers);
             if (!hit || hit->instance != table_id) {
                 std::putchar(' ');
                 continue;
             }
             ++seen;
-            const bool dark =
-                rc::any_hit(*scene, rc::spawn_ray_to(scene->surface(*hit), lamp), rc::kAllLayers);
+            const rc::Ray to_lamp = rc::spawn_ray_to(scene->surface(*hit), lamp);
+            const bool dark = rc::any_hit(*scene, to_lamp, rc::kAllLayers);
             std::putchar(dark ? '.' : '#');
             lit += !dark;
         }
