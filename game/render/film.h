@@ -35,7 +35,8 @@ struct FrameStats {
 // The surface that each pixel shows and its light by how it behaves, for filters that follow it from frame to frame. One
 // entry a pixel; a renderer fills the first four planes, and the others all or none. Every plane means what the plane of
 // that name in filter/gbuffer.h means: mirrors and clear glass are looked through, unfolded: what is seen there lies on
-// the straight line through the pixel, at the whole length of the way.
+// the straight line through the pixel, at the whole length of the way. Where several samples of a pixel show several
+// things, planes tell of the first one's; light on the others is in `clean`.
 struct FilmPlanes {
     static constexpr std::uint32_t kSky = 0xFFFFFFFFu;
 

@@ -82,6 +82,7 @@ class PathTile {
         bool has_bent = false;      // mirrored or bent by something smooth since `from`
         bool is_rough = false;      // scattered by something rough
         bool is_first_leg = false;  // the way from the main surface to the next
+        bool is_beside = false;     // shows another thing than the planes tell of
     };
     struct Shadow {  // light that arrives if nothing stands in its way
         glm::vec3 diffuse;
@@ -91,7 +92,7 @@ class PathTile {
         std::uint32_t target_part, target_primitive;
         std::uint16_t pixel;
         Channel diffuse_channel, gloss_channel;
-        bool is_indirect;
+        bool is_indirect, is_beside;
     };
     struct Sum {
         glm::dvec3 light[kChannels] =
@@ -145,14 +146,16 @@ class PathTile {
     [[nodiscard]] Crossing crossing_at(const Path& path, const ShadingPoint& at) const;
     void go_straight_on(Path& path, const ShadingPoint& at, FrameStats& stats);
     [[nodiscard]] bool survives(Path& path) const;
-    void add(std::uint16_t pixel, Channel channel, const glm::vec3& light, bool is_indirect);
+    void add(std::uint16_t pixel, Channel channel, const glm::vec3& light, bool is_indirect, bool is_beside);
 
     // path_tile_planes.inl
     void begin_planes();
     void note_mirror(const Path& path, const ShadingPoint& at, bool passes);
     void note_ray(std::uint16_t pixel);
     void note_surface(const Path& path, const ShadingPoint& at, const rc::Hit& hit, const Bsdf& bsdf);
+    [[nodiscard]] bool shows_another(const Path& path, const ShadingPoint& at) const;
     void note_reflection(const Path& path, float t);
+    void note_light(std::uint16_t pixel, std::uint32_t samples);
     [[nodiscard]] glm::vec3 position_before(const ShadingPoint& at, const rc::Hit& hit) const;
     [[nodiscard]] std::size_t film_index(std::uint16_t pixel) const;
 
@@ -170,6 +173,7 @@ class PathTile {
     std::vector<SampleSequence> sequences_;
     std::vector<Sum> sums_;
     std::vector<Unfolding> unfolding_;
+    std::vector<Sum> beside_;  // of sums_, what is none of the surface that planes tell of
     std::vector<Path> now_, next_;
     std::vector<rc::Ray> rays_;
     std::vector<rc::Hit> hits_;

@@ -57,10 +57,7 @@ void PathTile<kFeatures>::trace(int tile_x, int tile_y, Film& film, FrameStats& 
         const glm::vec3 specular = channel(Channel::Specular), clean = channel(Channel::Clean);
         film.radiance.pixels[at] = direct + indirect + specular + clean;
         if (!kHasPlanes || !frame_.settings.fills_planes) continue;
-        film.planes.direct.pixels[at] = direct;
-        film.planes.indirect.pixels[at] = indirect;
-        film.planes.specular.pixels[at] = specular;
-        film.planes.clean.pixels[at] = clean;
+        note_light(i, samples);
     }
 }
 
@@ -210,19 +207,21 @@ void PathTile<kFeatures>::settle(const Shadow& shadow, const rc::Ray& ray, const
     } else if (!end.is_miss()) {
         return;
     }
-    add(shadow.pixel, shadow.diffuse_channel, shadow.diffuse * light, shadow.is_indirect);
-    add(shadow.pixel, shadow.gloss_channel, shadow.gloss * light, shadow.is_indirect);
+    add(shadow.pixel, shadow.diffuse_channel, shadow.diffuse * light, shadow.is_indirect, shadow.is_beside);
+    add(shadow.pixel, shadow.gloss_channel, shadow.gloss * light, shadow.is_indirect, shadow.is_beside);
 }
 
 // What is not a number is nobody's light: it would spoil the pixel for good.
 template <unsigned kFeatures>
-void PathTile<kFeatures>::add(std::uint16_t pixel, Channel channel, const glm::vec3& light,
-                              bool is_indirect) {
+void PathTile<kFeatures>::add(std::uint16_t pixel, Channel channel, const glm::vec3& light, bool is_indirect,
+                              bool is_beside) {
     const float most = std::max({light.x, light.y, light.z});
     if (!(most > 0.0f) || !(light.x + light.y + light.z < rc::kInfinity)) return;
     float scale = 1.0f;
     if (is_indirect && most > frame_.settings.most_indirect) scale = frame_.settings.most_indirect / most;
     sums_[pixel].light[static_cast<std::size_t>(channel)] += glm::dvec3(light * scale);
+    if (kHasPlanes && is_beside)
+        beside_[pixel].light[static_cast<std::size_t>(channel)] += glm::dvec3(light * scale);
 }
 
 template <unsigned kFeatures>

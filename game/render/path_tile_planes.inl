@@ -24,6 +24,7 @@ template <unsigned kFeatures>
 void PathTile<kFeatures>::begin_planes() {
     if (!kHasPlanes || !frame_.settings.fills_planes) return;
     unfolding_.assign(static_cast<std::size_t>(columns_ * rows_), {});
+    beside_.assign(static_cast<std::size_t>(columns_ * rows_), {});
 }
 
 template <unsigned kFeatures>
@@ -76,11 +77,39 @@ void PathTile<kFeatures>::note_surface(const Path& path, const ShadingPoint& at,
     planes.roughness[i] = sane(at.roughness, 0.0f, 1.0f);
 }
 
+// Whether a further sample shows another thing than the planes tell of. Light of the inside of a shade, a thousand times
+// that of the wall beside it, is none of the wall's: filters would spread it all over.
+template <unsigned kFeatures>
+bool PathTile<kFeatures>::shows_another(const Path& path, const ShadingPoint& at) const {
+    if (!frame_.settings.fills_planes || path.sample == 0 || !path.is_leading) return false;
+    return unfolding_[path.pixel].is_done &&
+           film_->planes.part[film_index(path.pixel)] != thing_at(frame_.view.level, at);
+}
+
 // How far off the thing is that the main surface mirrors.
 template <unsigned kFeatures>
 void PathTile<kFeatures>::note_reflection(const Path& path, float t) {
     if (!fills_planes(path) || !path.is_first_leg || path.channel != Channel::Specular) return;
     film_->planes.reflected[film_index(path.pixel)] = t;
+}
+
+// What of the pixel's light is not that of the surface the planes tell of passes unfiltered.
+template <unsigned kFeatures>
+void PathTile<kFeatures>::note_light(std::uint16_t pixel, std::uint32_t samples) {
+    const auto& light = sums_[pixel].light;
+    const auto& beside = beside_[pixel].light;
+    glm::dvec3 clean = light[static_cast<std::size_t>(Channel::Clean)];
+    const std::size_t at = film_index(pixel);
+    const auto note = [&](Channel which, Image& plane) {
+        const auto i = static_cast<std::size_t>(which);
+        clean += beside[i];
+        plane.pixels[at] = glm::vec3((light[i] - beside[i]) / static_cast<double>(samples));
+    };
+    FilmPlanes& planes = film_->planes;
+    note(Channel::Direct, planes.direct);
+    note(Channel::Indirect, planes.indirect);
+    note(Channel::Specular, planes.specular);
+    planes.clean.pixels[at] = glm::vec3(clean / static_cast<double>(samples));
 }
 
 }  // namespace gh::render

@@ -80,7 +80,8 @@ void PathTile<kFeatures>::ask_lamp(const Path& path, const Scatterer& here, bool
                   .pixel = path.pixel,
                   .diffuse_channel = path.channel,
                   .gloss_channel = path.channel,
-                  .is_indirect = !path.is_eye};
+                  .is_indirect = !path.is_eye,
+                  .is_beside = path.is_beside};
     if (!(brightest(shadow.diffuse + shadow.gloss) > 0.0f)) return;
     if (path.is_eye && path.is_leading) {
         shadow.diffuse_channel = Channel::Direct;
@@ -99,7 +100,7 @@ void PathTile<kFeatures>::end_in_bake(const Path& path, const Scatterer& here) {
     const ShadingPoint& at = here.at;
     const glm::vec3 albedo = sane_colour(at.base_color) * (1.0f - here.bsdf.probability(Lobe::Glass));
     const glm::vec3 light = frame_.light.ambient.irradiance(at.surface.position, at.normal);
-    add(path.pixel, path.channel, path.weight * albedo * light * (1.0f / kPi), !path.is_eye);
+    add(path.pixel, path.channel, path.weight * albedo * light * (1.0f / kPi), !path.is_eye, path.is_beside);
 }
 
 // What the lobes that send no path on give back of the light that was baked about the place.
@@ -109,7 +110,7 @@ void PathTile<kFeatures>::add_baked_light(const Path& path, const Scatterer& her
     if (!(brightest(share) > 0.0f)) return;
     const glm::vec3 light = frame_.light.ambient.irradiance(here.at.surface.position, here.at.normal);
     const Channel channel = path.is_eye && path.is_leading ? Channel::Indirect : path.channel;
-    add(path.pixel, channel, path.weight * share * light * (1.0f / kPi), !path.is_eye);
+    add(path.pixel, channel, path.weight * share * light * (1.0f / kPi), !path.is_eye, path.is_beside);
 }
 
 // Both what is mirrored and what goes through, each by its share.

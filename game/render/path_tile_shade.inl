@@ -56,7 +56,7 @@ void PathTile<kFeatures>::add_met_light(const Path& path, const glm::vec3& light
     const Channel channel = path.is_first_leg && path.channel == Channel::Indirect && lamp_density > 0.0f
                                 ? Channel::Direct
                                 : path.channel;
-    add(path.pixel, channel, path.weight * light * share, !path.is_eye && !path.is_first_leg);
+    add(path.pixel, channel, path.weight * light * share, !path.is_eye && !path.is_first_leg, path.is_beside);
 }
 
 template <unsigned kFeatures>
@@ -88,6 +88,7 @@ void PathTile<kFeatures>::meet(Path path, const rc::Hit& hit, FrameStats& stats)
     if (is_main) {
         if constexpr (kHasPlanes) note_surface(path, at, hit, bsdf);
         path.channel = path.is_leading ? Channel::Clean : Channel::Specular;
+        path.is_beside = kHasPlanes && shows_another(path, at);
     }
     Scatterer here{at, bsdf, crossing.beyond, crossing.gap, {}};
     if (path.depth >= frame_.settings.max_depth) return;

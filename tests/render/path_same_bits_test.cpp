@@ -141,6 +141,38 @@ TEST(PathSameBits, PlanesUnfoldMirrors) {
     }
 }
 
+// A pixel of many samples may show the rim of a bright thing as well as the wall behind it. What is the rim's light must not
+// count as the wall's: filters would spread it over all of the wall in sight.
+TEST(PathSameBits, PlanesCountLightOnWhatIsBesideTheirSurfaceAsNoneOfIts) {
+    Studio studio;
+    studio.add_sheet({0, 0, -4}, {8, 0, 0}, {0, 8, 0}, test::matte(glm::vec3(0.01f)));
+    studio.add_sheet({-1.02f, 0, -2}, {1, 0, 0}, {0, 1, 0},
+                     test::matte(glm::vec3(0.9f)));  // ends within pixels
+    studio.add_lamp(
+        {.name = {}, .shape = world::LampShape::Point, .position = {0, 0, 1}, .intensity = {9, 9, 9}});
+    studio.open();
+    render::PathSettings settings = test::reference(16);
+    settings.fills_planes = true;
+    render::Film film(9, 9);
+    const render::Camera camera{.position = {0, 0, 0}, .fov_y = 0.6f};
+    render::render_path({studio.level, studio.snapshot, studio.prepared}, camera, settings, 0, Jobs(1), film);
+    const render::FilmPlanes& planes = film.planes;
+    const std::uint32_t sheet = planes.part[0], wall = planes.part[8];
+    ASSERT_NE(sheet, wall);
+    const float on_sheet = planes.direct.pixels[0].y, on_wall = planes.direct.pixels[8].y;
+    ASSERT_GT(on_sheet, 50.0f * on_wall);
+    int mixed = 0;
+    for (std::size_t i = 0; i < planes.part.size(); ++i) {
+        const float share = planes.part[i] == sheet ? on_sheet : on_wall;  // of all samples, if they show it
+        EXPECT_LT(planes.direct.pixels[i].y, 1.3f * share) << i;
+        const glm::vec3 sum = planes.direct.pixels[i] + planes.indirect.pixels[i] +
+                              planes.specular.pixels[i] + planes.clean.pixels[i];
+        EXPECT_NEAR(sum.y, film.radiance.pixels[i].y, 1e-5f);
+        mixed += planes.part[i] == wall && planes.clean.pixels[i].y > 0.1f * on_sheet ? 1 : 0;
+    }
+    EXPECT_GT(mixed, 0) << "the test's edge is no challenge";
+}
+
 // What stands still is one part to the renderer. Brass beside plaster must be two things to the filters, or plaster shines
 // with what brass mirrors.
 TEST(PathSameBits, PlanesTellMaterialsApartAndSayHowMuchTheyMirror) {
