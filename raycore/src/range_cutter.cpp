@@ -67,34 +67,35 @@ bool RangeCutter::pays(const Range& range, float split_cost) const {
     return area * (step + costs_.leaf) + costs_.item * split_cost < as_leaf;
 }
 
+kernel::Split RangeCutter::best_split(const Range& range, const kernel::BinGrid& grid) const {
+    kernel::Bins bins;
+    kernels_.clear(bins, grid.count);
+    if (range.size() < kParallelRange) {
+        kernels_.bin(refs_ + range.begin, range.size(), grid, bins);
+    } else {
+        bins = sum_in_parallel(
+            BlockedRange(range.begin, range.end, kRefsAtATime), bins,
+            [&](const auto& part, kernel::Bins sum) {
+                kernels_.bin(refs_ + part.begin(), part.size(), grid, sum);
+                return sum;
+            },
+            [](kernel::Bins a, const kernel::Bins& b) {
+                grow(a, b);
+                return a;
+            });
+    }
+    kernel::Split split;
+    kernels_.best_split(bins, split);
+    return split;
+}
+
 ObjectSplit RangeCutter::object_split(const Range& range) const {
-    const auto best_on = [&](const kernel::BinGrid& grid) {
-        kernel::Bins bins;
-        kernels_.clear(bins, grid.count);
-        if (range.size() < kParallelRange) {
-            kernels_.bin(refs_ + range.begin, range.size(), grid, bins);
-        } else {
-            bins = sum_in_parallel(
-                BlockedRange(range.begin, range.end, kRefsAtATime), bins,
-                [&](const auto& part, kernel::Bins sum) {
-                    kernels_.bin(refs_ + part.begin(), part.size(), grid, sum);
-                    return sum;
-                },
-                [](kernel::Bins a, const kernel::Bins& b) {
-                    grow(a, b);
-                    return a;
-                });
-        }
-        kernel::Split split;
-        kernels_.best_split(bins, split);
-        return split;
-    };
     ObjectSplit split;
     split.grid = grid_over(range.centres, range.size());
-    split.best = best_on(split.grid);
+    split.best = best_split(range, split.grid);
     if (split.best.axis < 0) {  // all in one bin: look again, with a sharper eye
         split.grid = grid_over(measured(range.begin, range.end).centres, range.size());
-        split.best = best_on(split.grid);
+        split.best = best_split(range, split.grid);
     }
     return split;
 }

@@ -61,6 +61,7 @@ class RangeCutter {
     struct Run {
         std::size_t begin, end;
     };
+    [[nodiscard]] kernel::Split best_split(const Range& range, const kernel::BinGrid& grid) const;
     std::size_t partition(const Range& range, const ObjectSplit& split);
     void trade(std::span<Run> lefts, std::span<Run> rights, std::size_t middle);
 
