@@ -43,6 +43,10 @@ void describe_geometry(const world::Level& level, Page& page) {
     const glm::vec3 size = level.bounds.max - level.bounds.min;
     line(page, "  extent     {:.1f} x {:.1f} x {:.1f} m, from {} to {}", size.x, size.y, size.z,
          at(level.bounds.min), at(level.bounds.max));
+    const glm::dvec3& origin = level.origin;
+    if (origin != glm::dvec3(0.0))
+        line(page, "  origin     ({:.0f}, {:.0f}, {:.0f}) in the file: places here count from there", origin.x,
+             origin.y, origin.z);
     line(page, "  triangles  {} drawn, {} stored in {} meshes, {} parts ({} shells)", drawn, stored,
          level.meshes.size(), level.parts.size(),
          count(level.parts, [](const world::Part& p) { return p.is_shell; }));

@@ -75,6 +75,7 @@ Result<world::Level> build_level(const tinygltf::Model& model) {
                             &build_lamps, &build_guards, &build_stones}) {
         if (const Result<void> built = step(build); !built) return built.error();
     }
+    build.level.origin = build.tree.origin;
     build.level.bounds = bounds_of_parts(build);
     if (build.level.bounds.min.x > build.level.bounds.max.x) return Error{"has no triangles"};
     add_missing_light(build);

@@ -26,6 +26,7 @@ inline constexpr int kMaxNodeDepth = 256;
 inline constexpr int kMaxTextureSide = 16384;
 inline constexpr std::size_t kMaxTextureBytes = std::size_t{2} << 30;  // of all textures together, decoded
 
-inline constexpr double kMaxCoordinate = 1.0e6;  // metres; float's grain there is 6 cm
+inline constexpr double kMaxCoordinate = 1.0e6;    // metres; float's grain there is 6 cm
+inline constexpr double kMaxFarCoordinate = 1.0e9;  // of nodes in the file, before the level is brought near (node_tree.h)
 
 }  // namespace gh::load

@@ -5,19 +5,23 @@
 #include "load/limits.h"
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace gh::load {
 namespace {
 
-bool is_in_range(const glm::dmat4& matrix) {
+constexpr double kNear = 256.0;  // metres: floats are at most 3e-5 m apart
+
+bool is_in_range(const glm::dmat4& matrix, double farthest) {
     for (glm::length_t c = 0; c < 4; ++c) {
         for (glm::length_t r = 0; r < 3; ++r) {
-            if (!(std::abs(matrix[c][r]) <= kMaxCoordinate)) return false;
+            if (!(std::abs(matrix[c][r]) <= (c < 3 ? kMaxCoordinate : farthest))) return false;
         }
     }
     return matrix[0][3] == 0.0 && matrix[1][3] == 0.0 && matrix[2][3] == 0.0 && matrix[3][3] == 1.0;
@@ -49,6 +53,10 @@ struct Visit {
     int depth;
 };
 
+Error out_of_range(const std::string& name) {
+    return Error{name + ": its transform is not finite, not affine, or out of range"};
+}
+
 Result<void> visit(const tinygltf::Model& model, const Visit& at, std::vector<bool>& is_seen,
                    NodeTree& tree) {
     if (at.node < 0 || static_cast<std::size_t>(at.node) >= model.nodes.size()) {
@@ -62,11 +70,38 @@ Result<void> visit(const tinygltf::Model& model, const Visit& at, std::vector<bo
     is_seen[id] = true;
     glm::dmat4 matrix = local_matrix(model.nodes[id]);
     if (at.parent != world::kNoIndex) matrix = tree.world_from_node[at.parent] * matrix;
-    if (!is_in_range(matrix))
-        return Error{name + ": its transform is not finite, not affine, or out of range"};
+    if (!is_in_range(matrix, kMaxFarCoordinate)) return out_of_range(name);
     tree.world_from_node[id] = matrix;
     tree.parent[id] = at.parent;
     tree.order.push_back(id);
+    return {};
+}
+
+// Medians, so that what lies apart, a model in store or a distant backdrop, moves nothing.
+glm::dvec3 middle_of_meshes(const tinygltf::Model& model, const NodeTree& tree) {
+    glm::dvec3 middle(0.0);
+    std::vector<double> places;
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+        places.clear();
+        for (const std::uint32_t id : tree.order) {
+            if (model.nodes[id].mesh >= 0) places.push_back(tree.world_from_node[id][3][axis]);
+        }
+        if (places.empty()) return middle;
+        const auto half = places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2);
+        std::nth_element(places.begin(), half, places.end());
+        middle[axis] = *half;
+    }
+    return middle;
+}
+
+Result<void> bring_near(const tinygltf::Model& model, NodeTree& tree) {
+    const glm::dvec3 middle = middle_of_meshes(model, tree);
+    if (glm::length(middle) > kNear) tree.origin = glm::floor(middle);
+    for (const std::uint32_t id : tree.order) {
+        glm::dmat4& matrix = tree.world_from_node[id];
+        matrix[3] -= glm::dvec4(tree.origin, 0.0);
+        if (!is_in_range(matrix, kMaxCoordinate)) return out_of_range(node_name(model, id));
+    }
     return {};
 }
 
@@ -112,6 +147,7 @@ Result<NodeTree> read_nodes(const tinygltf::Model& model) {
         const auto id = static_cast<std::uint32_t>(at.node);
         push(model.nodes[id].children, id, at.depth + 1);
     }
+    if (const Result<void> near = bring_near(model, tree); !near) return near.error();
     return tree;
 }
 

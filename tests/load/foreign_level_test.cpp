@@ -112,6 +112,47 @@ TEST(ForeignLevel, IsLitByItsOwnPanelsBeforeASunIsHung) {
     EXPECT_EQ(level->lamps[0].name, "bulb");
 }
 
+// Two floors, one above the other and a little aside, and a lamp, all of it `far` from the file's origin.
+std::string storeys_gltf(const std::string& far) {
+    std::string text = floor_gltf();
+    const std::string nodes = R"("nodes":[{"mesh":0}])";
+    text.replace(text.find(nodes), nodes.size(),
+                 R"("nodes":[{"children":[1,2,3],"translation":[)" + far +
+                     R"(]},{"mesh":0},{"mesh":0,"translation":[0.1,0.37,0.2]},{"name":"lamp",)"
+                     R"("translation":[0.3,2.1,0.7],"extensions":{"KHR_lights_punctual":{"light":0}}}],)"
+                     R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"point","intensity":50}]}},)"
+                     R"("scenes":[{"nodes":[0]}])");
+    return text;
+}
+
+// What stands a thousand kilometres from its file's origin, where floats are 6 cm apart, is the same level as at
+// home, to what doubles leave of the file's numbers, and gives the same pictures: they were off by 8e-3 (4e-4 at 100 km).
+TEST(ForeignLevel, FarFromItsOwnOriginIsWhatItIsAtHome) {
+    const Result<world::Level> home = test::load_quickly(test::as_bytes(storeys_gltf("0,0,0")));
+    ASSERT_TRUE(home) << home.error().sentence;
+    EXPECT_EQ(home->origin, glm::dvec3(0.0));
+    ASSERT_EQ(home->lamps.size(), 1u);
+    for (const double far : {1e3, 1e5, 1e6, 5.4e8}) {
+        const std::string text = std::to_string(far);
+        const Result<world::Level> level = test::load_quickly(test::as_bytes(storeys_gltf(text + ",0,-" + text)));
+        ASSERT_TRUE(level) << level.error().sentence;
+        EXPECT_EQ(level->origin, glm::dvec3(far, 0.0, -far));
+        ASSERT_EQ(level->parts.size(), home->parts.size());
+        for (std::size_t i = 0; i < home->parts.size(); ++i)
+            // The file's numbers are doubles: 1e6 + .1 - 1e6 is .1 to 1e-10, at 5e8 to 6e-8.
+            expect_near(level->parts[i].mover_from_part[3], home->parts[i].mover_from_part[3]);
+        expect_near(level->lamps.at(0).position, home->lamps[0].position);
+        expect_near(level->spawn.position, home->spawn.position);
+    }
+}
+
+TEST(ForeignLevel, ThatReachesTooFarIsRefused) {
+    EXPECT_THAT(test::refusal(test::as_bytes(storeys_gltf("2e9,0,0"))), HasSubstr("out of range"));
+    std::string torn = storeys_gltf("5e6,0,0");  // half of it five thousand kilometres from the other
+    torn.replace(torn.find("0.1,0.37,0.2"), 12, "-5e6,0.37,0");
+    EXPECT_THAT(test::refusal(test::as_bytes(torn)), HasSubstr("out of range"));
+}
+
 TEST(ForeignLevel, ThatNeedsWhatWeDoNotReadIsRefused) {
     std::string draco = floor_gltf();
     draco.replace(draco.find("KHR_texture_transform"), 21, "KHR_draco_compression");
