@@ -3,11 +3,11 @@
 // below it gets.
 //
 // What is added is what the table says is missing: were it to say less than facets give back, white metal would give more
-// than it gets. So it is kept above the truth, by up to a thousandth (Schlick's part by up to a two hundredth where narrow
+// than it gets. So it is kept above the truth, by less than a thousandth (Schlick's part by up to a two hundredth where narrow
 // lobes graze): surfaces darken by that much at most, and none shines by itself. Between the table's rows, light at an angle comes back by the ratio of its cosine to the width of the lobe;
 // a table over the cosine alone, which stood here, was off by 2 % where narrow lobes graze.
 //
-// Memory    13 kB, integrated numerically when made (Gauss's rule, each turn up to its own horizon): 59 ms; cloth 130 ms
+// Memory    13 kB, integrated numerically when made (Gauss's rule, each turn up to its own horizon): 92 ms; cloth 130 ms
 //           more, where a scene has any.
 // Cost      19 ns a look-up, 6 ns when it was a table over the cosine.
 // Same bits sums in index order.
