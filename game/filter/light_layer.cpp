@@ -145,6 +145,7 @@ void LightLayer::finish(const GBuffer& surfaces) {
     seen_.lens = surfaces.lens;
     std::swap(seen_.part, part_);
     std::swap(seen_.guides, guides_);
+    if (has_movement_) movement_.finish();
 }
 
 }  // namespace gh::filter

@@ -2,6 +2,8 @@
 
 #include "filter/reproject_kernel.h"
 
+#include <utility>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "filter/movement.cpp"
 #include <hwy/foreach_target.h>
@@ -28,11 +30,17 @@ void Movement::fit(int width, int height) {
     x.fit(width, height);
     y.fit(width, height);
     itself.resize(static_cast<std::size_t>(height));
+    moves.fit(width, height);
+}
+
+void Movement::finish() {
+    std::swap(moves, moved_before);
 }
 
 void point_to_movement(const GBuffer& now, int y, Movement& movement, ReprojectRow& row) {
     row.motion[0] = movement.x.row(y);
     row.motion[1] = movement.y.row(y);
+    row.moves = movement.moves.row(y);
     row.itself = &movement.itself[static_cast<std::size_t>(y)];
     *row.itself = {};
     const glm::vec3 corner = now.lens.corner + now.lens.down * row.y;

@@ -26,10 +26,16 @@ struct Movement {
     // Pixels from each to where its surface was, rounded to 1/256, jitter left out: right and down; the sky's by its
     // direction; kUnseen where it was not in front of the eye.
     Plane x, y;
-    // Of each row the columns in which a surface was elsewhere a frame ago, whatever the camera did.
+    // Of each row the columns in which a surface was elsewhere a frame ago, whatever the camera did: by a
+    // ten-thousandth of its distance or more, which is no rounding.
     std::vector<RowSpan> itself;
 
+    // 1 in pixels whose surface did, else 0; and the same of the last picture, of the size that had.
+    Plane moves, moved_before;
+
     void fit(int width, int height);
+    // Once a picture is made: this one is the last.
+    void finish();
 };
 
 // From a picture of `size_then` pixels taken through `then`. `movement` is made to fit.

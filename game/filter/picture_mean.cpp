@@ -34,6 +34,12 @@ void PictureMean::smooth_row(int y, const Movement& movement, const Plane& chang
         row.then_height = size_then_.y;
         point_to_bordered(row.then, std::as_const(mean_), 0);
         row.then_stride = mean_.x.stride();
+        const Plane& moved = movement.moved_before;
+        if (moved.width() == size_then_.x && moved.height() == size_then_.y) {
+            row.moves = movement.moves.row(y);
+            row.moved_before = moved.row(0);
+            row.moved_stride = moved.stride();
+        }
     }
     point_to_bordered(row.next, next_, y);
     point_to(row.out_planes, out, y);
@@ -67,6 +73,7 @@ void PictureMean::add_rows(const GBuffer& surfaces, const PictureRows& picture, 
 void PictureMean::finish(const GBuffer& surfaces) {
     if (size_.x == 0 || size_.y == 0) return;
     repeat_rows(next_, size_.y);
+    movement_.finish();  // if it is asked at all
     std::swap(mean_, next_);
     before_ = surfaces.lens;
     size_then_ = size_;

@@ -40,6 +40,7 @@ struct ReprojectRow {
     float* weight[4];
 
     float* motion[2];           // null: nobody asks for it
+    float* moves;               // null with those
     RowSpan* itself;            // null with those
     float corner[3], right[3];  // then: of the lens; `corner` with how far the row's middle lies down
 };

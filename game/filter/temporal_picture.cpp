@@ -50,6 +50,19 @@ static HWY_INLINE Vector picture_at(const SmoothRow& row, Floats at_x, Floats at
     return sum;
 }
 
+// Behind something that walked on by itself: what was shown there is none of what is there. At edges of what stands still
+// either side belongs to the mean.
+static HWY_INLINE Lanes was_hidden(const SmoothRow& row, std::size_t x, Floats at_x, Floats at_y,
+                                   Lanes seen) {
+    const Floats half = splat(0.5f), zero = hn::Zero(F());
+    const Ints column = hn::ConvertTo(I(), zero_unless(seen, hn::Floor(hn::Add(at_x, half))));
+    const Ints line = hn::ConvertTo(I(), zero_unless(seen, hn::Floor(hn::Add(at_y, half))));
+    const Ints stride = hn::Set(I(), static_cast<std::int32_t>(row.moved_stride));
+    const TapPlace place = place_of(hn::Add(hn::Mul(line, stride), column), seen);
+    const Lanes moved = hn::Gt(read_tap(row.moved_before, place, 0), zero);
+    return hn::And(hn::And(seen, moved), hn::Eq(load(row.moves + x), zero));
+}
+
 static HWY_INLINE void smooth_vector(const SmoothRow& row, std::size_t x) {
     const auto i = static_cast<std::ptrdiff_t>(x);
     const Vector now = load3_at(row.lighted, i);
@@ -76,6 +89,8 @@ static HWY_INLINE void smooth_vector(const SmoothRow& row, std::size_t x) {
         const Floats pictures = hn::Add(splat(row.still), hn::Mul(splat(row.moving - row.still), moved));
         Floats share = hn::Div(splat(1.0f), pictures);
         if (row.change != nullptr) share = hn::Max(share, load(row.change + x));
+        if (row.moved_before != nullptr)
+            share = choose(was_hidden(row, x, at_x, at_y, seen), splat(1.0f), share);
         const Vector mixed = plus(before, scaled(minus(now, before), share));
         mean = choose(seen, mixed, now);
     }

@@ -13,6 +13,9 @@ struct SmoothRow {
     std::ptrdiff_t above, below;  // from there to the rows around
     bool has_past;
     float still, moving;  // pictures a mean goes over where nothing moves, and where each frame moves them
+    const float* moves;   // 1 where something moved by itself; may be null, and then is the next:
+    const float* moved_before;  // the same of the last picture, row 0
+    std::ptrdiff_t moved_stride;
     const float* change;  // of the row: the least a new picture counts; null: 0
     int then_width, then_height;
     const float* then[3];  // the pictures before, at pixel (0, 0); two pixels around repeat the border

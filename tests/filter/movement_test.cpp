@@ -34,7 +34,7 @@ filter::GBuffer seen(const filter::Pinhole& lens) {
             surfaces.part.at(x, y) = y == kSkyRow ? filter::kNoSurface : kWall;
             surfaces.position.set(x, y, y == kSkyRow ? glm::vec3(0.0f) : p);
             surfaces.normal.set(x, y, {0, 0, 1});
-            glm::vec3 previous = is_thing ? p - 2.0f * lens.right : p;
+            glm::vec3 previous = is_thing ? p - 2.0f * lens.right : p * (1.0f + 1e-6f);  // rounding
             if (y == kBehindRow) previous.z = 1.0f;
             surfaces.previous.set(x, y, y == kSkyRow ? glm::vec3(0.0f) : previous);
         }

@@ -10,6 +10,7 @@
 #include "over_time.h"
 #include "report.h"
 #include "studio.h"
+#include "walking_guard.h"
 
 #include "raycore/isa.h"
 
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <optional>
 
 namespace {
 
@@ -97,6 +99,16 @@ bool is_known(const Report& report, const std::string& table, const View& view, 
     return known != nullptr && known->key == view.key;
 }
 
+void judge_guard(const View& view, const Options& options, const Jobs& jobs, Report& report) {
+    if (view.studio.level->guards.empty()) return;
+    std::optional<speed_error::WalkingGuard> guard;
+    for (const speed_error::Contestant& contestant : speed_error::moving_contestants()) {
+        if (is_known(report, speed_error::kWalkingGuardTable, view, contestant.family)) continue;
+        if (!guard) guard.emplace(view, options.width, options.height, jobs);
+        for (Finding& seen : guard->judge(contestant)) keep(report.findings, std::move(seen));
+    }
+}
+
 void judge_motion(const View& view, const Options& options, const Jobs& jobs, Report& report) {
     for (const speed_error::Contestant& contestant : speed_error::moving_contestants()) {
         if (is_known(report, "over time, of what is shown", view, contestant.family)) continue;
@@ -142,6 +154,8 @@ Result<void> judge_view(const View& view, const Options& options, const Jobs& jo
         keep(report.findings, speed_error::left_out_in_real_time(*real_time, *all_light, view.name, jobs));
         judge_motion(view, options, jobs, report);
     }
+    if (std::string(speed_error::kWalkingGuardTable).find(options.only) != std::string::npos)
+        judge_guard(view, options, jobs, report);
     for (Finding& gain : speed_error::filter_gains(report.rows)) keep(report.findings, std::move(gain));
     for (Finding& slope : speed_error::slopes(report.rows)) keep(report.findings, std::move(slope));
     auto asked = ask_others(view, options, jobs, report);
@@ -169,8 +183,9 @@ void add_options(CLI::App& app, Options& options) {
     app.add_option("SCENE", options.scene, "a level's name, or any .gltf or .glb")->capture_default_str();
     app.add_option("--camera", options.cameras,
                    "cameras of the scene, or x,y,z,yaw,pitch,fov; three of its own otherwise");
-    app.add_option("--only", options.only,
-                   "judge no more than the ways whose name holds this text: \"real time\", \"Sobol\"");
+    app.add_option(
+        "--only", options.only,
+        "judge no more than the ways whose name holds this text: \"real time\", \"Sobol\", \"guard walks\"");
     app.add_option("--out", options.out, "folder of report.html, report.json and the pictures")
         ->capture_default_str();
     app.add_option("--width", options.width, "pixels")->check(CLI::Range(16, 4096))->capture_default_str();
