@@ -14,9 +14,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace gh::filter::HWY_NAMESPACE {
 
-// Of its distance, by which what stands still may seem to have moved: a twentieth of a pixel at most. Where it was comes out
-// of other roundings than where it is.
-constexpr float kStays = 1e-4f;
 // Of a pixel. Rounding noise about a whole pixel would else blur a little and tear neighbours apart.
 constexpr float kPlaceSteps = 256.0f;
 
@@ -119,10 +116,7 @@ static HWY_INLINE void leave_movement(const ReprojectRow& row, std::size_t x, Th
     store(hn::Zero(F()), row.moves + x);
     if (row.position[0] == row.previous[0]) return;
     const Vector here = load3_at(row.position, i), before = load3_at(row.previous, i);
-    const Vector moved = minus(here, before), way = minus(here, splat3(row.now.eye));
-    const Floats distance = hn::Add(hn::Add(hn::Abs(way.x), hn::Abs(way.y)), hn::Abs(way.z));
-    const Floats off = hn::Add(hn::Add(hn::Abs(moved.x), hn::Abs(moved.y)), hn::Abs(moved.z));
-    const Lanes stays = hn::Le(off, hn::Mul(distance, splat(kStays)));
+    const Lanes stays = stays_put(here, before, splat3(row.now.eye));
     const Lanes still = hn::Or(hn::Or(stays, is_sky), hn::Not(inside(pixel_numbers(i), row.width)));
     if (hn::AllTrue(F(), still)) return;
     store(choose(still, hn::Zero(F()), splat(1.0f)), row.moves + x);

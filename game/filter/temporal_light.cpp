@@ -150,6 +150,9 @@ static HWY_INLINE void spread_vector(const SpreadRow& row, std::size_t x) {
     hn::StoreU(here.part, I(), reinterpret_cast<std::int32_t*>(row.kept_part) + x);
     store(motion.x, row.motion[0] + x);
     store(motion.y, row.motion[1] + x);
+    const Lanes stays = hn::Or(equal(here.part, hn::Set(I(), kSky)),
+                               stays_put(here.position, load3(row.previous, x, width), splat3(row.eye)));
+    store(choose(stays, zero, one), row.moves + x);
     const Vector colour = plus(times(light, load3(row.albedo, x, width)), load3(row.clean, x, width));
     const Lanes is_number = both(is_finite(colour.x), both(is_finite(colour.y), is_finite(colour.z)));
     store3({zero_unless(is_number, colour.x), zero_unless(is_number, colour.y),

@@ -65,6 +65,7 @@ struct SpreadRow {
     float *count, *distance;
     std::uint32_t* kept_part;
     float* motion[2];   // in pixels, to where the surface was
+    float* moves;       // 1 where it moved by itself, else 0
     float* lighted[3];  // this frame's picture
 };
 void spread_light(const SpreadRow& row);

@@ -128,6 +128,7 @@ void TemporalUpscaler::spread_row(const GuidedFrame& frame, int y) {
     row.kept_part = next_.part.row(y);
     row.motion[0] = motion_x_.row(y);
     row.motion[1] = motion_y_.row(y);
+    row.moves = moves_.row(y);
     point_to_bordered(row.lighted, lighted_, y);
     spread_light(row);
     repeat_sides(lighted_, guide.width, y);
@@ -150,6 +151,11 @@ void TemporalUpscaler::smooth_row(const GuidedFrame& frame, int y, Image& out) {
     row.then_height = height;
     point_to_bordered(row.then, std::as_const(picture_), 0);
     row.then_stride = picture_.x.stride();
+    if (moved_before_.width() == width && moved_before_.height() == height) {
+        row.moves = moves_.row(y);
+        row.moved_before = moved_before_.row(0);
+        row.moved_stride = moved_before_.stride();
+    }
     point_to_bordered(row.next, next_picture_, y);
     row.out = &out.pixels[out.index(0, y)].x;
     smooth_picture(row);
@@ -196,7 +202,8 @@ void TemporalUpscaler::fit(const GuidedFrame& frame) {
     for (Plane* plane : {&lit_.distance, &lit_.known}) plane->fit(lit.x, lit.y);
     lit_.part.fit(lit.x, lit.y);
     next_.light.fit(size.x, size.y);
-    for (Plane* plane : {&next_.count, &next_.distance, &motion_x_, &motion_y_}) plane->fit(size.x, size.y);
+    for (Plane* plane : {&next_.count, &next_.distance, &motion_x_, &motion_y_, &moves_})
+        plane->fit(size.x, size.y);
     next_.part.fit(size.x, size.y);
     fit_bordered(lighted_, size);
     fit_bordered(next_picture_, size);
@@ -240,6 +247,7 @@ void TemporalUpscaler::add(const GuidedFrame& frame, const Jobs& jobs, Image& ou
     repeat_rows(next_picture_, guide.height);
     std::swap(kept_, next_);
     std::swap(picture_, next_picture_);
+    std::swap(moves_, moved_before_);
     before_ = guide.lens;
     has_history_ = true;
 }

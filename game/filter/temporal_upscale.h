@@ -108,6 +108,7 @@ class TemporalUpscaler {
     Lit lit_;
     Kept kept_, next_;
     Plane motion_x_, motion_y_;
+    Plane moves_, moved_before_;     // 1 where a surface moved by itself, in this frame and in the last
     Plane3 lighted_;                 // this frame's picture, bordered
     Plane3 picture_, next_picture_;  // and those before it, added up, bordered
 };

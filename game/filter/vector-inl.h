@@ -92,6 +92,18 @@ static HWY_INLINE Ints load_part(const std::uint32_t* row, std::size_t x, std::s
     return hn::LoadU(I(), rest);
 }
 
+// Of its distance, by which what stands still may seem to have moved: a twentieth of a pixel at most. Where it was comes out
+// of other roundings than where it is.
+constexpr float kStays = 1e-4f;
+
+// Surfaces that are `here` and were there `before`, whatever the eye did.
+static HWY_INLINE Lanes stays_put(const Vector& here, const Vector& before, const Vector& eye) {
+    const Vector moved = minus(here, before), way = minus(here, eye);
+    const Floats distance = hn::Add(hn::Add(hn::Abs(way.x), hn::Abs(way.y)), hn::Abs(way.z));
+    const Floats off = hn::Add(hn::Add(hn::Abs(moved.x), hn::Abs(moved.y)), hn::Abs(moved.z));
+    return hn::Le(off, hn::Mul(distance, splat(kStays)));
+}
+
 }  // namespace gh::filter::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -165,6 +165,35 @@ TEST(TemporalUpscale, WhatAPostUncoversKeepsNoTraceOfIt) {
     }
 }
 
+// Somebody dark walks by before a bright wall, a pixel a picture: beside him stays nothing of him.
+TEST(TemporalUpscale, WhatSomethingThatWalkedOnHidIsShownAtOnce) {
+    filter::TemporalUpscaler upscaler;
+    Image out;
+    for (int frame = 0; frame < 16; ++frame) {
+        const auto is_thing = [&](int x) { return x >= 20 + frame && x < 36 + frame; };
+        Shot shot = shoot(plain, plain, glm::vec2(0.0f), static_cast<std::uint32_t>(frame));
+        shot.previous = shot.position;
+        for (int y = 0; y < kSize.y; ++y) {
+            for (int x = 20 + frame; x < 36 + frame; ++x) {
+                const std::size_t at = static_cast<std::size_t>(y * kSize.x + x);
+                shot.part[at] = 9;
+                shot.previous[at] = shot.position[at] - shot.seen.lens.right;
+            }
+        }
+        for (int v = 0; v < kHeight; ++v) {
+            for (int u = 0; u < kWidth; ++u) {
+                if (shot.part[shot.place(u, v)] == 9) shot.radiance.at(u, v) *= 0.02f;
+            }
+        }
+        upscaler.add(shot.frame(), Jobs(1), out);
+        if (frame == 0) continue;  // before it nothing moved
+        for (int x = 0; x < kSize.x; ++x) {
+            if (is_thing(x)) continue;
+            ASSERT_NEAR(out.at(x, kSize.y / 2).x, 0.64f, 0.01f) << frame << ' ' << x;
+        }
+    }
+}
+
 TEST(TemporalUpscale, AConstantStaysExactlyThat) {
     filter::TemporalUpscaler upscaler;
     Image out;

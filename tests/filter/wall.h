@@ -32,11 +32,13 @@ struct Shot {
     glm::ivec2 offset{0};
     std::vector<std::uint32_t> part;
     std::vector<glm::vec3> position, normal, albedo, clean;
+    std::vector<glm::vec3> previous;  // empty: nothing moves by itself
 
     [[nodiscard]] filter::GuidedFrame frame() const {
         filter::Guide guide = seen;
         guide.part = part;
-        guide.position = guide.previous = position;
+        guide.position = position;
+        guide.previous = previous.empty() ? position : previous;
         guide.geometric = normal;
         guide.albedo = albedo;
         guide.clean = clean;
