@@ -21,7 +21,7 @@ namespace {
 
 constexpr float kNearness = 2.5f;  // a sample d pixels away counts exp(-kNearness d^2)
 // Pictures that are added up where nothing moves, and where each frame moves them.
-constexpr float kStillPictures = 8.0f, kMovingPictures = 4.0f;
+constexpr float kStillShown = 8.0f, kMovingShown = 4.0f;
 constexpr float kReach = 2.0f;  // of a lit pixel's size: how far one surface leaves its own plane
 
 bool is_finite(const glm::vec3& v) {
@@ -145,8 +145,8 @@ void TemporalUpscaler::smooth_row(const GuidedFrame& frame, int y, Image& out) {
     row.above = y > 0 ? -lighted_.x.stride() : 0;
     row.below = y + 1 < height ? lighted_.x.stride() : 0;
     row.has_past = has_history_;
-    row.still = kStillPictures;
-    row.moving = kMovingPictures;
+    row.still = kStillShown;
+    row.moving = kMovingShown;
     row.then_width = width;
     row.then_height = height;
     point_to_bordered(row.then, std::as_const(picture_), 0);
