@@ -28,8 +28,8 @@ struct Costs {
     int lanes = 1;  // more than its binary leaves it can not take; what stands behind is not told
 };
 
-// How many of i lanes go to the left child of a binary node; 0 where one lane less is as good. lefts[1] is how many of
-// all eight go left when the node is made a wide one itself.
+// How many of i lanes go to the left child of a binary node; 0 where one lane less is as good. When the node is made a
+// wide one itself, it uses lefts[0] lanes, and lefts[1] of them go left.
 struct Plan {
     bool is_leaf;  // all of it in one
     std::uint8_t lefts[kernel::kWidth + 1];
@@ -113,6 +113,9 @@ class Collapse {
         }
         int lanes = costs.lanes;  // of the node this becomes when it gets one lane
         while (lanes > 2 && plans_[at].lefts[lanes] == 0) --lanes;
+        // No more of them than planned, even where the right child would have use for one: next to a large left child what
+        // it saves may be rounded away.
+        plans_[at].lefts[0] = static_cast<std::uint8_t>(lanes);
         plans_[at].lefts[1] = plans_[at].lefts[lanes];
         costs.area[1] = costs.area[costs.lanes] + area_here + kSurfaceOfNode;
         costs.nodes[1] = sizes_[at] = 1 + costs.nodes[costs.lanes];
@@ -137,7 +140,7 @@ class Collapse {
         while (!plans_[at].is_leaf) {
             std::uint32_t lanes[kernel::kWidth];
             int n = 0;
-            open(at, kernel::kWidth, plans_[at].lefts[1], lanes, n);
+            open(at, plans_[at].lefts[0], plans_[at].lefts[1], lanes, n);
             at = lanes[0];
         }
         return at;
@@ -156,7 +159,7 @@ class Collapse {
     std::uint32_t write(std::uint32_t at, std::uint32_t index) {
         std::uint32_t lanes[kernel::kWidth];
         int n = 0;
-        open(at, kernel::kWidth, plans_[at].lefts[1], lanes, n);
+        open(at, plans_[at].lefts[0], plans_[at].lefts[1], lanes, n);
         arrange(lanes, n);
         kernel::WideNode& node = nodes_[index];
         for (int i = n; i < kernel::kWidth; ++i) clear_lane(node, i, harmless_leaf_);
