@@ -1,5 +1,6 @@
 #include "collapse.h"
 
+#include "contract.h"
 #include "data.h"
 #include "parallel.h"
 
@@ -174,6 +175,7 @@ class Collapse {
             node.child[i] = is_leaf ? leaves_.code(as_leaf(lanes[i])) : next;
             if (!is_leaf) next += sizes_[lanes[i]];
         }
+        RC_EXPECTS(next == index + sizes_[at], "as many nodes to be written as were planned");
         for_lanes(binary_[at].size() >= kParallelRefs, n, [&](int i) {
             const bool is_leaf = plans_[lanes[i]].is_leaf;
             node.layers[i] = is_leaf ? leaves_.word(as_leaf(lanes[i])) : write(lanes[i], node.child[i]);
