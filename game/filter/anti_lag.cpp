@@ -3,7 +3,9 @@
 #include "filter/anti_lag_kernel.h"
 #include "filter/rows.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "filter/anti_lag.cpp"
@@ -92,10 +94,14 @@ static void settle_row(const SettleRow& row) {
 static HWY_INLINE Floats carried(const CarryRow& row, std::size_t x) {
     const std::ptrdiff_t step[4] = {0, 1, row.then_stride, row.then_stride + 1};
     const Floats zero = hn::Zero(F());
+    const Ints first = hn::LoadU(I(), row.first + x);
+    const Lanes asks = hn::RebindMask(
+        F(), hn::And(hn::Gt(first, hn::Set(I(), row.low - 1)), hn::Lt(first, hn::Set(I(), row.high))));
+    if (hn::AllFalse(F(), asks)) return zero;
     Lanes known = hn::Gt(zero, zero);
     for (const float* weight : row.weight) known = hn::Or(known, hn::Gt(load(weight + x), zero));
     if (hn::AllFalse(F(), known)) return zero;
-    const TapPlace place = place_of(hn::LoadU(I(), row.first + x), known);
+    const TapPlace place = place_of(first, known);
     Floats best = zero, chosen = zero;
     for (int tap = 0; tap < 4; ++tap) {
         const Floats weight = load(row.weight[tap] + x);
@@ -190,13 +196,34 @@ void carry_change(const Plane& then, const Taps& taps, float sharpness, const Jo
     run_rows(taps.first.height(), jobs, carry_rows(then, taps, sharpness, change));
 }
 
+namespace {
+
+// Rows [begin, end) of which some light changed: mostly none.
+std::pair<int, int> changed_rows(const Plane& then) {
+    const auto is_still = [&then](int y) {
+        return std::all_of(then.row(y), then.row(y) + then.width(), [](float v) { return v == 0.0f; });
+    };
+    int begin = 0, end = then.height();
+    while (begin < end && is_still(begin)) ++begin;
+    while (end > begin && is_still(end - 1)) --end;
+    return {begin, end};
+}
+
+}  // namespace
+
 RowWork carry_rows(const Plane& then, const Taps& taps, float sharpness, Plane& change) {
     const int width = taps.first.width(), height = taps.first.height();
     change.fit(width, height);
-    return [width, sharpness, &then, &taps, &change](int y) {
+    const auto stride = static_cast<int>(then.stride());
+    const auto [begin, end] = changed_rows(then);
+    // From left of the row above the first to the end of the last.
+    const int low = begin < end ? (begin - 1) * stride - 1 : 0, high = begin < end ? end * stride : 0;
+    return [width, sharpness, low, high, &then, &taps, &change](int y) {
         CarryRow row{};
         row.then = then.row(0);
         row.then_stride = then.stride();
+        row.low = low;
+        row.high = high;
         row.first = taps.first.row(y);
         for (std::size_t tap = 0; tap < 4; ++tap) row.weight[tap] = taps.weight[tap].row(y);
         row.sharpness = sharpness;

@@ -34,6 +34,7 @@ struct SettleRow {
 struct CarryRow {
     const float* then;  // of row 0
     std::ptrdiff_t then_stride;
+    std::int32_t low, high;  // the first tap of whoever asks anything that has changed lies in [low, high)
     const std::int32_t* first;
     const float* weight[4];
     float sharpness;

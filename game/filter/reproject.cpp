@@ -33,6 +33,11 @@ struct Wanted {
     Floats right, below;  // the surface's point seen from the first tap, in pixels
 };
 
+static HWY_INLINE Lanes is_of_part(const ReprojectRow& row, const TapPlace& place, std::ptrdiff_t step,
+                                   const Wanted& wanted) {
+    return hn::RebindMask(F(), hn::Eq(read_tap(row.then_part, place, step), wanted.part));
+}
+
 static HWY_INLINE Lanes same_surface(const ReprojectRow& row, const TapPlace& place, int tap,
                                      const Wanted& wanted) {
     const int below = tap / 2;
@@ -47,9 +52,18 @@ static HWY_INLINE Lanes same_surface(const ReprojectRow& row, const TapPlace& pl
     const Floats cosine =
         dot(read_tap(guides.normal[0], place, step), read_tap(guides.normal[1], place, step),
             read_tap(guides.normal[2], place, step), wanted.normal.x, wanted.normal.y, wanted.normal.z);
-    const Lanes same_part = hn::RebindMask(F(), hn::Eq(read_tap(row.then_part, place, step), wanted.part));
     const Lanes same_plane = hn::Le(hn::Abs(hn::Sub(foretold, wanted.nearness)), wanted.tolerance);
+    const Lanes same_part = is_of_part(row, place, step, wanted);
     return hn::And(same_part, hn::And(same_plane, hn::Ge(cosine, wanted.least_cosine)));
+}
+
+// For the row below, whose lower taps lie two rows on.
+static HWY_INLINE void foresee_taps(const ReprojectRow& row, const TapPlace& place) {
+    const GuideRows& guides = row.then_guides;
+    for (const float* plane : {guides.nearness, guides.slope_x, guides.slope_y, guides.normal[0],
+                               guides.normal[1], guides.normal[2]})
+        foresee_tap(plane, place, 2 * row.then_stride);
+    foresee_tap(row.then_part, place, 2 * row.then_stride);
 }
 
 // For `lost` pixels, whose four taps showed other things: the nearest of the nine pixels around that showed this one.
@@ -68,11 +82,13 @@ static void ask_around(const ReprojectRow& row, std::size_t x, const Then& then,
         const Lanes in =
             hn::And(hn::And(hn::Ge(u, zero), hn::Lt(u, splat(static_cast<float>(row.then_width)))),
                     hn::And(hn::Ge(v, zero), hn::Lt(v, splat(static_cast<float>(row.then_height)))));
-        const Lanes asks = hn::And(lost, in);
+        Lanes asks = hn::And(lost, in);
         if (hn::AllFalse(F(), asks)) continue;
         const Ints at = hn::Add(hn::Mul(hn::ConvertTo(I(), zero_unless(asks, v)), stride),
                                 hn::ConvertTo(I(), zero_unless(asks, u)));
         const TapPlace place = place_of(at, asks);
+        asks = hn::And(asks, is_of_part(row, place, 0, wanted));  // mostly none: then nothing else is read
+        if (hn::AllFalse(F(), asks)) continue;
         Wanted there = wanted;
         there.tolerance = hn::Mul(hn::Abs(wanted.nearness), splat(kLooseNearness));
         there.least_cosine = splat(kLooseNormal);
@@ -108,6 +124,7 @@ static void weigh_taps(const ReprojectRow& row, std::size_t x, const Then& then)
         return;
     }
     const TapPlace place = place_of(first, usable);
+    foresee_taps(row, place);
 
     Wanted wanted;
     wanted.normal = load3_at(row.normal, static_cast<std::ptrdiff_t>(x));

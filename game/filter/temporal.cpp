@@ -51,6 +51,9 @@ static HWY_INLINE Brought bring(const AccumulateRow& row, std::size_t x) {
     if (!row.has_past || hn::AllFalse(F(), known)) return {zero, zero, zero, zero, zero, zero};
     blend.place = place_of(hn::LoadU(I(), row.first + x), known);
     blend.stride = row.then_stride;
+    for (const float* plane : {row.then_light[0], row.then_light[1], row.then_light[2], row.then_square,
+                               row.then_length, row.then_fast})
+        foresee_tap(plane, blend.place, 2 * blend.stride);
     return {blend_taps(blend, row.then_light[0]), blend_taps(blend, row.then_light[1]),
             blend_taps(blend, row.then_light[2]), blend_taps(blend, row.then_square),
             blend_taps(blend, row.then_length),   blend_taps(blend, row.then_fast)};

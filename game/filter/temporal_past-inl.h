@@ -139,6 +139,10 @@ static HWY_INLINE Kept kept_light(const SpreadRow& row, std::size_t x, const Mot
     const Ints u = hn::ConvertTo(I(), low_x), v = hn::ConvertTo(I(), low_y);
     const Ints first = hn::Add(hn::Mul(v, hn::Set(I(), static_cast<std::int32_t>(row.then.stride))), u);
     const TapPlace place = place_of(hn::IfThenElseZero(hn::RebindMask(I(), lanes), first), lanes);
+    const KeptPlanes& then = row.then;
+    for (const float* plane : {then.light[0], then.light[1], then.light[2], then.count, then.distance})
+        foresee_tap(plane, place, 2 * then.stride);
+    foresee_tap(then.part, place, 2 * then.stride);
     Taps taps{row, part, motion.was_distance, {nothing, zero}, zero};
     for (int corner = 0; corner < 4; ++corner) {
         const int right = corner % 2, below = corner / 2;
@@ -148,7 +152,7 @@ static HWY_INLINE Kept kept_light(const SpreadRow& row, std::size_t x, const Mot
             both(both(lanes, hn::Gt(weight, splat(kLeastWeight))),
                  in_picture(row, hn::Add(u, hn::Set(I(), right)), hn::Add(v, hn::Set(I(), below))));
         if (hn::AllFalse(F(), matter)) continue;
-        taps.add(place, below * row.then.stride + right, matter, weight);
+        taps.add(place, below * then.stride + right, matter, weight);
     }
     const Lanes none = hn::AndNot(hn::Gt(taps.total, zero), lanes);
     if (!hn::AllFalse(F(), none)) look_around(taps, at_x, at_y, none);

@@ -34,6 +34,7 @@ static HWY_INLINE Vector picture_at(const SmoothRow& row, Floats at_x, Floats at
     const Ints stride = hn::Set(I(), static_cast<std::int32_t>(row.then_stride));
     const Ints first = hn::Add(hn::Mul(hn::ConvertTo(I(), low_y), stride), hn::ConvertTo(I(), low_x));
     const TapPlace place = place_of(hn::IfThenElseZero(hn::RebindMask(I(), lanes), first), lanes);
+    for (const float* plane : row.then) foresee_tap(plane, place, 3 * row.then_stride);
     const auto read = [&](std::ptrdiff_t step) {
         return Vector{read_tap(row.then[0], place, step), read_tap(row.then[1], place, step),
                       read_tap(row.then[2], place, step)};

@@ -7,7 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace gh {
 namespace {
@@ -71,6 +74,26 @@ TEST(AntiLag, ChangeIsCarriedAlongWithWhatChanged) {
         for (int x = 0; x < 40; ++x) {
             const float wanted = x < 18 || x >= 38 ? 0.0f : x < 28 ? 0.4f : 1.0f;
             ASSERT_FLOAT_EQ(change.at(x, y), wanted) << x << ' ' << y;
+        }
+    }
+}
+
+// Rows nobody's taps can find a change from are passed over: never those from which one of the four does, be it the lower
+// right one of a pixel that looks beyond the picture's corner.
+TEST(AntiLag, ALoneChangeIsFoundByEachOfTheFourTaps) {
+    for (const auto& [u, v] : {std::pair(0, 0), std::pair(39, 0), std::pair(20, 7), std::pair(39, 19)}) {
+        Plane then(40, 20);
+        then.at(u, v) = 0.25f;
+        const auto stride = static_cast<std::int32_t>(then.stride());
+        for (std::size_t tap = 0; tap < 4; ++tap) {
+            filter::Taps taps;
+            taps.fit(40, 20);
+            const auto right = static_cast<std::int32_t>(tap % 2), below = static_cast<std::int32_t>(tap / 2);
+            taps.first.at(3, 2) = (v - below) * stride + u - right;
+            taps.weight[tap].at(3, 2) = 1.0f;
+            Plane change;
+            filter::carry_change(then, taps, 1.0f, Jobs(1), change);
+            EXPECT_EQ(change.at(3, 2), 0.25f) << "at " << u << ' ' << v << " by tap " << tap;
         }
     }
 }
