@@ -1,6 +1,7 @@
 // game_bench - milliseconds of the game on a level: posing and asking the world, whole ticks by room, and pictures.
 //
 //   game_bench assets/levels/foyer.glb --replay assets/replays/win.replay
+#include "bench_films.h"
 #include "bench_frames.h"
 #include "bench_needs.h"
 #include "bench_senses.h"
@@ -27,6 +28,7 @@ struct Options {
     int threads = 2;
     bool without_frames = false;
     bool only_needs = false;
+    bool only_films = false;
 };
 
 Options read_options(int argc, char** argv) {
@@ -43,6 +45,8 @@ Options read_options(int argc, char** argv) {
     app.add_flag("--without-frames", options.without_frames, "ticks alone");
     app.add_flag("--needs", options.only_needs,
                  "only what it costs to path trace a scene by a kernel that can do more than it needs");
+    app.add_flag("--films", options.only_films,
+                 "only what the filters take of path-traced films, as the window has them");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -73,6 +77,10 @@ int bench_all(int argc, char** argv) {
 
     if (options.only_needs) {
         bench::bench_needs(level, options.rounds);
+        return 0;
+    }
+    if (options.only_films) {
+        bench::bench_films(level, options.threads, options.rounds);
         return 0;
     }
     std::vector<gh::input::Command> commands = bench::restless_player(options.ticks);
