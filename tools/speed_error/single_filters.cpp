@@ -38,21 +38,26 @@ Plane3 planes_of(const std::vector<glm::vec3>& vectors, int width) {
 
 // A picture in two: what is blurred, and what stays where it is. That is what lamps and mirrors show by themselves, and what
 // is brighter than twice a screen's white, lamps mirrored in floors and the insides of shades: it would bury all beside it.
+// A lone firefly is neither and is mended before: else it would stay where it is as well.
 struct Parted {
-    Image light, still;
+    Plane3 light;
+    Image still;
 };
-Parted parted(const Film& film) {
+Parted parted(const Film& film, const Jobs& jobs) {
     constexpr float kBright = 2.0f;
-    Parted parts{film.radiance, film.planes.clean};
-    for (std::size_t i = 0; i < parts.light.pixels.size(); ++i) {
-        glm::vec3& light = parts.light.pixels[i];
-        light -= parts.still.pixels[i];
-        const float peak = std::max(std::max(light.x, light.y), light.z);
+    Image light = film.radiance;
+    for (std::size_t i = 0; i < light.pixels.size(); ++i) light.pixels[i] -= film.planes.clean.pixels[i];
+    gh::filter::image_from(mended(light, jobs), light);
+    Parted parts{{}, film.planes.clean};
+    for (std::size_t i = 0; i < light.pixels.size(); ++i) {
+        glm::vec3& shown = light.pixels[i];
+        const float peak = std::max(std::max(shown.x, shown.y), shown.z);
         if (!(peak > kBright)) continue;
-        const glm::vec3 kept = light * (kBright / peak);
-        parts.still.pixels[i] += light - kept;
-        light = kept;
+        const glm::vec3 kept = shown * (kBright / peak);
+        parts.still.pixels[i] += shown - kept;
+        shown = kept;
     }
+    gh::filter::planes_from(light, parts.light);
     return parts;
 }
 
@@ -62,16 +67,16 @@ void join(const Plane3& light, const Image& still, Film& film) {
 }
 
 void by_gaussian(Film& film, const Jobs& jobs) {
-    const Parted parts = parted(film);
+    const Parted parts = parted(film, jobs);
     Plane3 out;
-    gh::filter::gaussian(mended(parts.light, jobs), kSigma, jobs, out);
+    gh::filter::gaussian(parts.light, kSigma, jobs, out);
     join(out, parts.still, film);
 }
 
 void by_bilateral(Film& film, const Jobs& jobs) {
-    const Parted parts = parted(film);
+    const Parted parts = parted(film, jobs);
     Plane3 out;
-    gh::filter::bilateral(mended(parts.light, jobs), {.sigma_px = kSigma, .luminance = 2.0f}, jobs, out);
+    gh::filter::bilateral(parts.light, {.sigma_px = kSigma, .luminance = 2.0f}, jobs, out);
     join(out, parts.still, film);
 }
 
