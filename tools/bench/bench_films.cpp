@@ -1,12 +1,12 @@
 #include "bench_films.h"
 
 #include "app/film_denoiser.h"
-#include "base/hash.h"
 #include "base/jobs.h"
 #include "figures.h"
 #include "filter/enlarge.h"
 #include "filter/jitter.h"
 #include "filter/tone_map.h"
+#include "picture_hash.h"
 #include "render/path_tracer.h"
 #include "render/prepared.h"
 #include "spatial/stage.h"
@@ -22,7 +22,7 @@ namespace {
 
 using namespace gh;
 
-constexpr int kWidth = 640, kHeight = 360;
+constexpr int kFilmWidth = 640, kFilmHeight = 360;
 constexpr std::uint32_t kSteps = 12;
 
 // A brisk walk, turning a little, thirty pictures a second.
@@ -40,7 +40,7 @@ std::vector<render::Film> walk(const render::SceneView& scene, const render::Cam
     for (std::uint32_t step = 0; step < kSteps; ++step) {
         render::PathSettings settings = render::realtime_path();
         settings.jitter = filter::halton_jitter(step);
-        render::Film film(kWidth, kHeight);
+        render::Film film(kFilmWidth, kFilmHeight);
         render::render_path(scene, walked(start, step), settings, step, jobs, film);
         films.push_back(std::move(film));
     }
@@ -53,16 +53,10 @@ std::size_t there_and_back(int round) {
     return at <= last ? at : 2 * last - at;
 }
 
-std::uint64_t picture_hash(const Image& picture) {
-    Hasher hash;
-    for (const glm::vec3& pixel : picture.pixels) hash.add(pixel);
-    return hash.digest();
-}
-
 void bench_denoiser(const char* name, bool halves, const Jobs& jobs, int rounds,
                     std::vector<render::Film>& films) {
     app::FilmDenoiser denoiser;
-    const filter::Plane unchanged(kWidth, kHeight);  // what paths asked again say of lamps that burn on
+    const filter::Plane unchanged(kFilmWidth, kFilmHeight);  // what paths asked again say of lamps that burn on
     const Samples samples = measure(cpu_ms, rounds, 1, [&](int round) {
         denoiser.denoise(films[there_and_back(round)], jobs,
                          {.halves_indirect = halves, .halves_specular = halves, .adds_up = true}, unchanged);
@@ -84,7 +78,7 @@ void bench_films(const std::shared_ptr<const world::Level>& level, int threads, 
     print_head("filters on path-traced films, 640x360, core-ms");
     bench_denoiser("denoised and added up", false, jobs, rounds, films);
     bench_denoiser("the same, soft light at half the sides", true, jobs, rounds, films);
-    filter::Plane3 small, large(2 * kWidth, 2 * kHeight);
+    filter::Plane3 small, large(2 * kFilmWidth, 2 * kFilmHeight);
     filter::planes_from(films[0].radiance, small);
     print_row("enlarged to 1280x720",
               measure(cpu_ms, rounds, 1, [&](int) { filter::enlarge(small, jobs, large); }));

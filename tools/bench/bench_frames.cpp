@@ -1,8 +1,8 @@
 #include "bench_frames.h"
 
-#include "base/hash.h"
 #include "base/jobs.h"
 #include "figures.h"
+#include "picture_hash.h"
 #include "render/whitted.h"
 #include "spatial/stage.h"
 #include "world/initial_state.h"
@@ -13,12 +13,6 @@ namespace {
 using namespace gh;
 
 constexpr std::size_t kCameras = 4;
-
-std::uint64_t picture_hash(const Image& picture) {
-    Hasher hash;
-    for (const glm::vec3& pixel : picture.pixels) hash.add(pixel);
-    return hash.digest();
-}
 
 // One camera's picture, as often as asked for.
 void bench_frame(const render::SceneView& view, const world::Viewpoint& viewpoint,

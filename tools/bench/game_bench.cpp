@@ -4,6 +4,7 @@
 #include "bench_films.h"
 #include "bench_frames.h"
 #include "bench_needs.h"
+#include "bench_paths.h"
 #include "bench_senses.h"
 #include "bench_ticks.h"
 #include "input/replay.h"
@@ -29,6 +30,7 @@ struct Options {
     bool without_frames = false;
     bool only_needs = false;
     bool only_films = false;
+    bool only_paths = false;
 };
 
 Options read_options(int argc, char** argv) {
@@ -47,6 +49,7 @@ Options read_options(int argc, char** argv) {
                  "only what it costs to path trace a scene by a kernel that can do more than it needs");
     app.add_flag("--films", options.only_films,
                  "only what the filters take of path-traced films, as the window has them");
+    app.add_flag("--paths", options.only_paths, "only what path-traced pictures cost, by stage");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -81,6 +84,10 @@ int bench_all(int argc, char** argv) {
     }
     if (options.only_films) {
         bench::bench_films(level, options.threads, options.rounds);
+        return 0;
+    }
+    if (options.only_paths) {
+        bench::bench_paths(level, options.threads, options.rounds);
         return 0;
     }
     std::vector<gh::input::Command> commands = bench::restless_player(options.ticks);
