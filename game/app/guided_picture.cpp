@@ -11,7 +11,7 @@ glm::vec2 GuidedPicture::begin(const render::SceneView& scene, const render::Cam
     jitter_ = filter::halton_jitter(frame);
     offset_ = filter::lit_offset(frame, shape.step);
     settings.jitter = jitter_;
-    settings.texture_blur = 1.0f;
+    settings.texture_blur = static_cast<float>(shape.step) * texture_blur(shape);
     render::render_guide(scene, camera, settings, shape.shown(), jobs, guide_);
     return filter::small_jitter(jitter_, offset_, shape.step);
 }
@@ -27,7 +27,7 @@ void GuidedPicture::add(const Image& radiance, const Jobs& jobs, Image& out) {
                               .geometric = guide_.geometric,
                               .albedo = guide_.albedo,
                               .clean = guide_.clean.pixels};
-    upscaler_.add({radiance, shape_.step, offset_, guide}, jobs, out);
+    upscaler_.add({radiance, shape_.step, offset_, guide, shape_.doubles}, jobs, out);
 }
 
 }  // namespace gh::app

@@ -3,7 +3,7 @@
 //
 //   const glm::vec2 jitter = guided.begin(scene, camera, settings, frame, shape, jobs);
 //   ... render a picture of shape.lit pixels with that jitter ...
-//   guided.add(film.radiance, jobs, picture);         // of shape.shown() pixels
+//   guided.add(film.radiance, jobs, picture);         // of shape.made() pixels
 //
 // Cost, threads, same bits   as render/guide.h and filter/temporal_upscale.h.
 #pragma once
@@ -31,11 +31,14 @@ class GuidedPicture {
     [[nodiscard]] glm::vec2 begin(const render::SceneView& scene, const render::Camera& camera,
                                   render::WhittedSettings settings, std::uint32_t frame,
                                   const PictureShape& shape, const Jobs& jobs);
-    // Precondition: `radiance` has the size that begin() was told.
+    // Precondition: `radiance` has the size that begin() was told. `out` is made to have shape.made() pixels.
     void add(const Image& radiance, const Jobs& jobs, Image& out);
 
-    // What pixels of the lit picture blur textures by, of their own size, so that they match the guide's.
-    [[nodiscard]] static float texture_blur(int step) { return 1.0f / static_cast<float>(step); }
+    // What pixels of the lit picture blur textures by, of their own size: as the guide's do, which are as sharp as what is
+    // made of them.
+    [[nodiscard]] static float texture_blur(const PictureShape& shape) {
+        return (shape.doubles ? 0.5f : 1.0f) / static_cast<float>(shape.step);
+    }
 
   private:
     filter::TemporalUpscaler upscaler_;

@@ -10,6 +10,7 @@ namespace gh::app {
 namespace {
 
 constexpr float kNarrowest = 288.0f;  // pixels across
+constexpr float kMuchSmaller = 1.4f;  // sides of the window to those of such a picture
 constexpr float kSurely = 1.05f;      // so much time as for a little more than all of them
 
 int multiple_of_8(float length) {
@@ -78,7 +79,9 @@ PictureShape Resolution::shape_for(glm::ivec2 framebuffer) const {
         std::clamp(std::sqrt(pixels_ / (width * height)), std::min(1.0f, kNarrowest / width) * most, most);
     const int across = multiple_of_8(width * scale);  // whole tiles
     const float down = static_cast<float>(across) * height / width;
-    return {{across, std::max(1, static_cast<int>(std::lround(down)))}, most_step_};
+    const glm::ivec2 lit(across, std::max(1, static_cast<int>(std::lround(down))));
+    const bool doubles = static_cast<float>(across * most_step_) * kMuchSmaller <= width;
+    return {lit, most_step_, doubles && most_step_ > 1};
 }
 
 }  // namespace gh::app

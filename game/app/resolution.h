@@ -2,7 +2,7 @@
 //
 // What is seen is traced in every pixel of the picture, light in one of every `step` x `step` (filter/temporal_upscale.h).
 // A slow machine lights every sixteenth and shows a smaller picture; one that shows all of the window's pixels lights more
-// of them, as far as it can.
+// of them, as far as it can. A picture much smaller than the window is added up over the frames in one of twice its sides.
 //
 // Same bits a pure function of the frame times it is given; the simulation never sees any of it.
 #pragma once
@@ -15,8 +15,10 @@ inline constexpr int kMostStep = 4;
 
 struct PictureShape {
     glm::ivec2 lit{0};  // size of what light is worked out in
-    int step = 1;       // 1 to kMostStep
+    int step = 1;          // 1 to kMostStep
+    bool doubles = false;  // pictures are added up in one of twice their sides (filter/temporal_upscale.h)
     [[nodiscard]] glm::ivec2 shown() const { return lit * step; }
+    [[nodiscard]] glm::ivec2 made() const { return doubles ? 2 * shown() : shown(); }
     [[nodiscard]] bool operator==(const PictureShape&) const = default;
 };
 

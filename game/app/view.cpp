@@ -146,7 +146,7 @@ void View::expose_next(const render::SceneView& scene, const render::Camera& cam
     resize(shape.lit.x, shape.lit.y);
     if (switches_lamps(scene)) guided_.forget();  // found out by samples alone, it takes five pictures
     settings.jitter = guided_.begin(scene, camera, settings, frame, shape, jobs);
-    settings.texture_blur = GuidedPicture::texture_blur(shape.step);
+    settings.texture_blur = GuidedPicture::texture_blur(shape);
     settings.is_adaptive = settings.is_adaptive && shape.step == 1;  // few pixels have little between them
     expose(scene, camera, settings, frame, jobs);
     guided_.add(film_.radiance, jobs, added_up_);
@@ -188,7 +188,7 @@ void View::expose_next(const render::SceneView& scene, const render::Camera& cam
     }
     settings.jitter =
         guided_.begin(scene, camera, {.texture_taps = settings.texture_taps}, frame, shape, jobs);
-    settings.texture_blur = GuidedPicture::texture_blur(shape.step);
+    settings.texture_blur = GuidedPicture::texture_blur(shape);
     trace(scene, camera, settings, frame, false, jobs);
     guided_.add(film_.radiance, jobs, added_up_);
     is_added_up_ = true;

@@ -2,7 +2,7 @@
 
 #include "filter/bordered.h"
 #include "filter/rows.h"
-#include "filter/temporal_picture_kernel.h"
+#include "filter/picture_past.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,7 +12,7 @@ namespace gh::filter {
 namespace {
 
 // That are added up where nothing moves, and where each frame moves them.
-constexpr float kStillPictures = 10.0f, kMovingPictures = 4.0f;
+constexpr MeanLength kPictures{.still = 10.0f, .moving = 4.0f};
 
 }  // namespace
 
@@ -25,20 +25,14 @@ void PictureMean::smooth_row(int y, const Movement& movement, const Plane& chang
     point_to_bordered(row.lighted, std::as_const(now_), y);
     row.above = y > 0 ? -now_.x.stride() : 0;
     row.below = y + 1 < size_.y ? now_.x.stride() : 0;
-    row.has_past = has_past_;
     row.change = change.empty() ? nullptr : change.row(y);
-    row.still = kStillPictures;
-    row.moving = kMovingPictures;
+    row.pictures = kPictures;
     if (has_past_) {
-        row.then_width = size_then_.x;
-        row.then_height = size_then_.y;
-        point_to_bordered(row.then, std::as_const(mean_), 0);
-        row.then_stride = mean_.x.stride();
+        row.past = past_of(mean_, size_then_);
         const Plane& moved = movement.moved_before;
         if (moved.width() == size_then_.x && moved.height() == size_then_.y) {
             row.moves = movement.moves.row(y);
-            row.moved_before = moved.row(0);
-            row.moved_stride = moved.stride();
+            point_to_moved(row.past, moved);
         }
     }
     point_to_bordered(row.next, next_, y);

@@ -3,7 +3,7 @@
 #include "base/contracts.h"
 #include "filter/bordered.h"
 #include "filter/rows.h"
-#include "filter/temporal_picture_kernel.h"
+#include "filter/picture_past.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -20,8 +20,6 @@ namespace gh::filter {
 namespace {
 
 constexpr float kNearness = 2.5f;  // a sample d pixels away counts exp(-kNearness d^2)
-// Pictures that are added up where nothing moves, and where each frame moves them.
-constexpr float kStillShown = 8.0f, kMovingShown = 4.0f;
 constexpr float kReach = 2.0f;  // of a lit pixel's size: how far one surface leaves its own plane
 
 bool is_finite(const glm::vec3& v) {
@@ -134,43 +132,13 @@ void TemporalUpscaler::spread_row(const GuidedFrame& frame, int y) {
     repeat_sides(lighted_, guide.width, y);
 }
 
-void TemporalUpscaler::smooth_row(const GuidedFrame& frame, int y, Image& out) {
-    const int width = frame.guide.width, height = frame.guide.height;
-    SmoothRow row{};
-    row.y = y;
-    row.width = width;
-    row.motion[0] = motion_x_.row(y);
-    row.motion[1] = motion_y_.row(y);
-    point_to_bordered(row.lighted, std::as_const(lighted_), y);
-    row.above = y > 0 ? -lighted_.x.stride() : 0;
-    row.below = y + 1 < height ? lighted_.x.stride() : 0;
-    row.has_past = has_history_;
-    row.still = kStillShown;
-    row.moving = kMovingShown;
-    row.then_width = width;
-    row.then_height = height;
-    point_to_bordered(row.then, std::as_const(picture_), 0);
-    row.then_stride = picture_.x.stride();
-    if (moved_before_.width() == width && moved_before_.height() == height) {
-        row.moves = moves_.row(y);
-        row.moved_before = moved_before_.row(0);
-        row.moved_stride = moved_before_.stride();
-    }
-    point_to_bordered(row.next, next_picture_, y);
-    row.out = &out.pixels[out.index(0, y)].x;
-    smooth_picture(row);
-    repeat_sides(next_picture_, width, y);
-}
-
 // What is kept has another size: begin with it stretched.
 void TemporalUpscaler::stretch(glm::ivec2 size) {
     Kept stretched;
-    Plane3 picture;
     stretched.light.fit(size.x, size.y);
     stretched.count.fit(size.x, size.y);
     stretched.distance.fit(size.x, size.y);
     stretched.part.fit(size.x, size.y);
-    fit_bordered(picture, size);
     for (int y = 0; has_history_ && y < size.y; ++y) {
         for (int x = 0; x < size.x; ++x) {
             const int u = x * size_.x / size.x, v = y * size_.y / size.y;
@@ -178,18 +146,14 @@ void TemporalUpscaler::stretch(glm::ivec2 size) {
             stretched.count.at(x, y) = std::min(kept_.count.at(u, v), 1.0f);
             stretched.distance.at(x, y) = kept_.distance.at(u, v);
             stretched.part.at(x, y) = kept_.part.at(u, v);
-            picture.set(x + kBorder, y + 2, picture_.get(u + kBorder, v + 2));
         }
-        repeat_sides(picture, size.x, y);
     }
     if (has_history_) {
-        repeat_rows(picture, size.y);
         const glm::vec2 wider = glm::vec2(size_) / glm::vec2(size);
         before_.right *= wider.x;
         before_.down *= wider.y;
     }
     kept_ = std::move(stretched);
-    picture_ = std::move(picture);
     size_ = size;
 }
 
@@ -206,7 +170,10 @@ void TemporalUpscaler::fit(const GuidedFrame& frame) {
         plane->fit(size.x, size.y);
     next_.part.fit(size.x, size.y);
     fit_bordered(lighted_, size);
-    fit_bordered(next_picture_, size);
+    const glm::ivec2 shown = frame.doubles ? 2 * size : size;
+    if (has_history_ && shown_ != shown) picture_ = stretched(picture_, shown_, shown);
+    shown_ = shown;
+    fit_bordered(next_picture_, shown);
 }
 
 void TemporalUpscaler::lay_out(const GuidedFrame& frame) {
@@ -239,12 +206,13 @@ void TemporalUpscaler::add(const GuidedFrame& frame, const Jobs& jobs, Image& ou
     lay_out(frame);
     reach_ = kReach * static_cast<float>(frame.step) * glm::length(guide.lens.right);
     picture_before_ = picture_from_world(before_);
-    if (out.width != guide.width || out.height != guide.height) out = Image(guide.width, guide.height);
+    if (out.width != shown_.x || out.height != shown_.y) out = Image(shown_.x, shown_.y);
     run_rows(frame.radiance.height, jobs, [&](int v) { demodulate_row(frame, v); });
     run_rows(frame.radiance.height, jobs, [&](int v) { find_range_row(v); });
     run_rows(guide.height, jobs, [&](int y) { spread_row(frame, y); });
-    run_rows(guide.height, jobs, [&](int y) { smooth_row(frame, y, out); });
-    repeat_rows(next_picture_, guide.height);
+    run_rows(shown_.y, jobs,
+             [&](int y) { frame.doubles ? double_row(frame, y, out) : smooth_row(frame, y, out); });
+    repeat_rows(next_picture_, shown_.y);
     std::swap(kept_, next_);
     std::swap(picture_, next_picture_);
     std::swap(moves_, moved_before_);

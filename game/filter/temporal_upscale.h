@@ -5,14 +5,16 @@
 // pixel then keeps a running mean of the light on its surface, carried along with it; samples of the same surface count
 // the more the nearer they lie. What has changed is found by the samples around: a mean outside their range is brought
 // back to it, so that a lamp switched off is dark in the next picture (Karis 2014; Yang, Liu and Salvi 2020, sections 3
-// and 5). Last, pictures taken through other places of their pixels are added up, which smooths edges.
+// and 5). Last, pictures taken through other places of their pixels are added up, which smooths edges; if asked for, in one of
+// twice their sides, which shows more than any of them: a sample counts the more in a pixel the nearer it lies (Yang, Liu and
+// Salvi 2020, section 6).
 //
 // jitter.h says where pixels of a guide are looked through, and which of them are lit.
 //
 //   filter::TemporalUpscaler upscaler;                     // once; forget() after a cut
 //   upscaler.add({small, step, offset, guide}, jobs, picture);   // every frame, in order
 //
-// Cost      about 43 ns a pixel of the large picture on one core.
+// Cost      about 43 ns a pixel of the large picture on one core; doubled, some 60 more.
 // Threads   rows over all threads; one caller at a time.
 // Same bits the picture depends on the frames added since forget() alone, not on threads or instruction set.
 // Bad input a sample that is not finite is skipped.
@@ -57,6 +59,7 @@ struct GuidedFrame {
     int step = 1;
     glm::ivec2 offset{0};  // pixel (u, v) shows what pixel step * (u, v) + offset of the guide does
     Guide guide;
+    bool doubles = false;  // the picture has twice the guide's sides, not its own
 
     // The pixel of the guide that a lit pixel is.
     [[nodiscard]] std::size_t index_of_lit(int u, int v) const {
@@ -68,7 +71,7 @@ class TemporalUpscaler {
   public:
     void forget() { has_history_ = false; }
 
-    // `out` is made to have the guide's size, which may change from frame to frame.
+    // `out` is made to have the guide's size, or twice its sides; both may change from frame to frame.
     void add(const GuidedFrame& frame, const Jobs& jobs, Image& out);
 
   private:
@@ -96,13 +99,15 @@ class TemporalUpscaler {
     void demodulate_row(const GuidedFrame& frame, int v);
     void find_range_row(int v);
     void spread_row(const GuidedFrame& frame, int y);
+    // temporal_shown.cpp
     void smooth_row(const GuidedFrame& frame, int y, Image& out);
+    void double_row(const GuidedFrame& frame, int y, Image& out);
     [[nodiscard]] LitPlanes lit_planes() const;
 
     bool has_history_ = false;
     Pinhole before_;  // the lens of the last frame
     glm::mat3 picture_before_{1.0f};
-    glm::ivec2 size_{0};
+    glm::ivec2 size_{0}, shown_{0};
     float reach_ = 0.0f;  // of a lit pixel, a metre from the eye
     Between between_;
     Lit lit_;

@@ -72,6 +72,22 @@ TEST(Resolution, KeepsTheShapeAndHardlyExceedsTheWindow) {
     }
 }
 
+// What is much smaller than the window is added up in twice its sides; what nearly fills it is not.
+TEST(Resolution, DoublesWhatIsMuchSmallerThanTheWindow) {
+    const glm::ivec2 framebuffer(1280, 720);
+    bool has_doubled = false, has_not = false;
+    for (float ns_a_pixel = 3000.0f; ns_a_pixel > 5.0f; ns_a_pixel *= 0.8f) {
+        Resolution resolution;
+        for (int frame = 0; frame < 200; ++frame)
+            resolution.note_frame(ms_of(resolution.shape_for(framebuffer), ns_a_pixel), 33.3f, framebuffer);
+        const PictureShape shape = resolution.shape_for(framebuffer);
+        EXPECT_EQ(shape.doubles, 7 * shape.shown().x <= 5 * framebuffer.x) << shape.shown().x;
+        EXPECT_EQ(shape.made(), shape.doubles ? 2 * shape.shown() : shape.shown());
+        (shape.doubles ? has_doubled : has_not) = true;
+    }
+    EXPECT_TRUE(has_doubled && has_not);
+}
+
 // A slow machine at high quality shows fewer frames, a fast one at low quality does not light more than was asked for;
 // and what was asked for last holds at once.
 TEST(Resolution, StaysWithinTheBoundsOfTheQualityThatWasChosen) {

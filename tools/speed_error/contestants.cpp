@@ -101,7 +101,7 @@ std::function<Run()> guided_run(const WhittedSettings& settings) {
             const double start = core_ms();
             jittered.jitter =
                 memory->guided.begin(shot.scene, shot.camera, settings, shot.frame, shape, shot.jobs);
-            jittered.texture_blur = gh::app::GuidedPicture::texture_blur(step);
+            jittered.texture_blur = gh::app::GuidedPicture::texture_blur(shape);
             whitted_frame(shot, jittered, lit);
             const double rendered = core_ms();
             memory->guided.add(lit.radiance, shot.jobs, film.radiance);
