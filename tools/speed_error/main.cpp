@@ -195,7 +195,8 @@ void add_options(CLI::App& app, Options& options) {
         ->capture_default_str();
     app.add_option("--reference", options.picture,
                    "somebody else's converged picture of the view (EXR): how far ours is from it");
-    app.add_flag("--cycles", options.asks_cycles, "also Blender's Cycles, at equal time");
+    app.add_flag("--cycles", options.asks_cycles,
+                 "also Blender's Cycles, at equal time (Debian: blender, python3-numpy)");
     app.add_option("--cycles-samples", options.cycles_samples,
                    "samples a pixel; its own truth has 64 times as many")
         ->check(CLI::Range(1, 4096))
