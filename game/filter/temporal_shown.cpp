@@ -15,6 +15,8 @@ constexpr MeanLength kShown{.still = 8.0f, .moving = 4.0f};
 // counts exp(-kNearby d^2). While things move there are too few pictures for that, and neighbours that differ by how near
 // theirs were would show as a chequer.
 constexpr float kNearby = 4.0f, kNearbyMoving = 0.5f;
+// The mean of that over samples half a small pixel off at most: sqrt(pi / kNearby) erf(sqrt(kNearby) / 2).
+constexpr float kUsually = 0.746824f;
 // The light between samples is theirs, each by exp(-kSharp d^2), softer where no other picture knows better.
 constexpr float kSharp = 6.0f, kSharpAlone = 3.0f;
 constexpr MeanLength kDoubled{.still = 12.0f, .moving = 4.0f};
@@ -29,12 +31,6 @@ struct Beside {
 // `jitter`: where small pixels were looked through.
 Beside beside(float jitter, float sharp) {
     Beside to{};
-    // Of all places a sample may lie in, half a small pixel off at most.
-    float usual = 0.0f;
-    for (int i = 0; i < 64; ++i) {
-        const float d = (static_cast<float>(i) + 0.5f) / 64.0f - 0.5f;
-        usual += std::exp(-kNearby * d * d) / 64.0f;
-    }
     for (int side = 0; side < 2; ++side) {
         const float place = (side == 0 ? -0.25f : 0.25f) - jitter;
         const float nearest = std::floor(place + 0.5f), off = place - nearest;
@@ -46,12 +42,19 @@ Beside beside(float jitter, float sharp) {
         }
         for (float& share : to.share[side]) share /= total;
         to.nearest[side] = static_cast<int>(nearest);
-        to.nearness[side] = std::exp(-kNearby * off * off) / usual;
+        to.nearness[side] = std::exp(-kNearby * off * off) / kUsually;
     }
     return to;
 }
 
 }  // namespace
+
+PicturePast TemporalUpscaler::past() const {
+    PicturePast past = past_of(picture_, shown_);
+    if (moved_before_.width() == moves_.width() && moved_before_.height() == moves_.height())
+        point_to_moved(past, moved_before_);
+    return past;
+}
 
 void TemporalUpscaler::smooth_row(const GuidedFrame& frame, int y, Image& out) {
     const int width = frame.guide.width, height = frame.guide.height;
@@ -64,13 +67,8 @@ void TemporalUpscaler::smooth_row(const GuidedFrame& frame, int y, Image& out) {
     row.above = y > 0 ? -lighted_.x.stride() : 0;
     row.below = y + 1 < height ? lighted_.x.stride() : 0;
     row.pictures = kShown;
-    if (has_history_) {
-        row.past = past_of(picture_, shown_);
-        if (moved_before_.width() == width && moved_before_.height() == height) {
-            row.moves = moves_.row(y);
-            point_to_moved(row.past, moved_before_);
-        }
-    }
+    if (has_history_) row.past = past();
+    row.moves = moves_.row(y);
     point_to_bordered(row.next, next_picture_, y);
     row.out = &out.pixels[out.index(0, y)].x;
     smooth_picture(row);
@@ -78,7 +76,7 @@ void TemporalUpscaler::smooth_row(const GuidedFrame& frame, int y, Image& out) {
 }
 
 void TemporalUpscaler::double_row(const GuidedFrame& frame, int y, Image& out) {
-    const int width = frame.guide.width, height = frame.guide.height;
+    const int height = frame.guide.height;
     const float sharp = has_history_ ? kSharp : kSharpAlone;
     const Beside across = beside(frame.guide.jitter.x, sharp), down = beside(frame.guide.jitter.y, sharp);
     const int side = y % 2, middle = std::clamp(y / 2 + down.nearest[side], 0, height - 1);
@@ -99,13 +97,8 @@ void TemporalUpscaler::double_row(const GuidedFrame& frame, int y, Image& out) {
     }
     row.pictures = kDoubled;
     row.nearness_moving = kNearbyMoving;
-    if (has_history_) {
-        row.past = past_of(picture_, shown_);
-        if (moved_before_.width() == width && moved_before_.height() == height) {
-            row.moves = moves_.row(middle);
-            point_to_moved(row.past, moved_before_);
-        }
-    }
+    if (has_history_) row.past = past();
+    row.moves = moves_.row(middle);
     point_to_bordered(row.next, next_picture_, y);
     row.out = &out.pixels[out.index(0, y)].x;
     double_picture(row);

@@ -24,6 +24,7 @@
 #include "base/jobs.h"
 #include "filter/gbuffer.h"
 #include "filter/temporal_light_kernel.h"
+#include "filter/temporal_picture_kernel.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
@@ -100,6 +101,7 @@ class TemporalUpscaler {
     void find_range_row(int v);
     void spread_row(const GuidedFrame& frame, int y);
     // temporal_shown.cpp
+    [[nodiscard]] PicturePast past() const;
     void smooth_row(const GuidedFrame& frame, int y, Image& out);
     void double_row(const GuidedFrame& frame, int y, Image& out);
     [[nodiscard]] LitPlanes lit_planes() const;
