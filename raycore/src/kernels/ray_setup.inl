@@ -5,7 +5,7 @@
 //     e (5 |S_x| s + 6 E)  on axis x,  e = 2^-24, s its distance along the ray's axis, E the triangle's largest extent,
 // and the slab arithmetic errs by at most e (4 |o| + 5 |S_x| s). What grows with E is in the boxes (kSlack); what grows
 // with s moves planes by a share of their distance, what grows with o by a constant. Neither costs anything in the walk:
-// near and far planes merely have different factors and constants. raycore/README.md has the proof line by line.
+// near and far planes merely have different factors and constants. README.md has the proof line by line.
 //
 // It is worth being sharp: rays that start on a surface stand 28 e |o| off it, and boxes padded by more than that, say
 // by shares of the whole tree's size, make every one of them look into its own leaf again.

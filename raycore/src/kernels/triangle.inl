@@ -3,7 +3,7 @@
 // The decision. Every corner is sheared by one formula into the frame where the ray runs along z through (0, 0);
 // triangles that share a corner see the same numbers. The ray meets a triangle when (0, 0) lies in the closed hull of
 // its three sheared corners *exactly*: edge functions of floats are exact in sign when taken in double, where the
-// products have no rounding at all. So a closed mesh stays closed under every ray (raycore/README.md).
+// products have no rounding at all. So a closed mesh stays closed under every ray (README.md).
 //
 // The filter. Single precision only throws out lanes that are outside for certain: a*b - c*d of two separately
 // rounded products is never of the wrong sign (rounding is monotone), only sometimes zero. Fused, it would be.

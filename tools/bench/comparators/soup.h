@@ -26,7 +26,7 @@ struct Soup {
 [[nodiscard]] Bounds bounds_of(const Corners& corners);
 
 // How far the specification's rounding may move a hit away from the ray, in the mesh's frame, five roundings of what
-// lies between origin and triangle (raycore/README.md); eight are granted.
+// lies between origin and triangle (raycore/src/kernels/README.md); eight are granted.
 [[nodiscard]] double ray_pad(double origin_reach, double soup_reach);
 [[nodiscard]] double reach_of(const glm::vec3& p);
 
