@@ -9,7 +9,7 @@
 // (halve.h). What is empty costs nothing.
 //
 // Cost      at 640x360 with AVX-512 on a busy core 6.5 core-ms for direct light, 11 with indirect, 16 with specular too,
-//           13 with those two halved; 2.6 more to add up; by stage see game/README.md. Memory: about 350 bytes a pixel.
+//           13 with those two halved; 2.6 more to add up; by stage see README.md. Memory: about 350 bytes a pixel.
 // Threads   rows over all threads; a Denoiser belongs to one caller at a time.
 // Same bits the result depends on the frames fed since forget() only: not on threads, not on the instruction set.
 // Bad input NaN light is mended, NaN geometry makes a pixel keep its own light; neither spreads, in space or in time.

@@ -3,7 +3,7 @@
 // Who goes by it: path_tracer picks a kernel without code for clear things where there are none, and one without code for
 // planes where no filter wants them; a path asks what touches only where bodies of glass do; shading_point looks up no uv
 // where a material has no texture; the table of cloth is made where there is cloth. The rest are branches that are never
-// taken. game/README.md has what it costs.
+// taken. README.md has what it costs.
 //
 // Cost      finding: once a level, 1.4 ms for a museum; most of it asks which glass closes a volume.
 // Same bits a function of the level. A kernel made for a scene's needs gives the bits of the one made for all.
