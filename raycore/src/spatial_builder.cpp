@@ -14,7 +14,7 @@ namespace {
 
 using build::Plot;
 using build::Range;
-using kernel::SlabBins;
+using kernel::Bins;
 using kernel::SlabGrid;
 using kernel::Split;
 
@@ -52,16 +52,6 @@ SlabGrid slabs_over(const GrowingBox& box) {
         grid.width[a] = 1.0f / scale;
     }
     return grid;
-}
-
-void grow(SlabBins& bins, const SlabBins& by) {
-    for (int b = 0; b < bins.used; ++b) {
-        for (int a = 0; a < 3; ++a) {
-            build::grow(bins.boxes[b][a], by.boxes[b][a]);
-            bins.entries[b][a] += by.entries[b][a];
-            bins.exits[b][a] += by.exits[b][a];
-        }
-    }
 }
 
 class SpatialBuilder {
@@ -143,8 +133,8 @@ class SpatialBuilder {
     [[nodiscard]] bool looks_hopeless(const Range& range, const SlabGrid& grid, float cost) const {
         constexpr std::size_t kOneOf = 16, kAtATime = kPiecesAtATime / kOneOf;
         if (range.size() < kParallelRange) return false;
-        SlabBins bins;
-        kernels_.clear_slabs(bins, grid.count);
+        Bins bins;
+        kernels_.clear(bins, grid.count);
         std::size_t asked = 0;
         for (std::size_t i = range.begin; i + kAtATime <= range.end; i += kPiecesAtATime, asked += kAtATime)
             kernels_.bin_pieces(refs_.data() + i, kAtATime, arrays_, grid, bins);
@@ -154,9 +144,9 @@ class SpatialBuilder {
     }
 
     [[nodiscard]] Split best_plane(const Range& range, const SlabGrid& grid) const {
-        SlabBins bins;
-        kernels_.clear_slabs(bins, grid.count);
-        const auto bin = [&](std::size_t begin, std::size_t end, SlabBins& into) {
+        Bins bins;
+        kernels_.clear(bins, grid.count);
+        const auto bin = [&](std::size_t begin, std::size_t end, Bins& into) {
             kernels_.bin_pieces(refs_.data() + begin, end - begin, arrays_, grid, into);
         };
         if (range.size() < kParallelRange) {
@@ -164,12 +154,12 @@ class SpatialBuilder {
         } else {
             bins = sum_in_parallel(
                 BlockedRange(range.begin, range.end, kPiecesAtATime), bins,
-                [&](const auto& part, SlabBins sum) {
+                [&](const auto& part, Bins sum) {
                     bin(part.begin(), part.end(), sum);
                     return sum;
                 },
-                [](SlabBins a, const SlabBins& b) {
-                    grow(a, b);
+                [](Bins a, const Bins& b) {
+                    build::grow(a, b);
                     return a;
                 });
         }

@@ -21,8 +21,9 @@ inline void grow(GrowingBox& box, const GrowingBox& by) {
 inline void grow(kernel::Bins& bins, const kernel::Bins& by) {
     for (int b = 0; b < bins.used; ++b) {
         for (int a = 0; a < 3; ++a) {
-            grow(bins.boxes[b][a], by.boxes[b][a]);
-            bins.counts[b][a] += by.counts[b][a];
+            grow(bins.at[b].boxes[a], by.at[b].boxes[a]);
+            bins.at[b].entries[a] += by.at[b].entries[a];
+            bins.at[b].exits[a] += by.at[b].exits[a];
         }
     }
 }

@@ -43,9 +43,16 @@ struct BinGrid {
     std::int32_t count;
 };
 
+// What lies in a bin, or in a slab, along each axis.
+struct Bin {
+    GrowingBox boxes[3];
+    std::uint32_t entries[4];  // of things that begin in it
+    std::uint32_t exits[4];    // that end in it; refs, which are put by their centres, have none of their own
+};
+static_assert(sizeof(Bin) == 128);  // a shift finds it
+
 struct Bins {
-    GrowingBox boxes[kMaxBins][3];
-    std::uint32_t counts[kMaxBins][4];
+    Bin at[kMaxBins];
     std::int32_t used;
 };
 
@@ -71,14 +78,6 @@ struct SlabGrid {
     std::int32_t count;
 };
 
-// What of the refs lies in each slab, and in how many slabs their ways begin and end.
-struct SlabBins {
-    GrowingBox boxes[kMaxBins][3];
-    std::uint32_t entries[kMaxBins][4];
-    std::uint32_t exits[kMaxBins][4];
-    std::int32_t used;
-};
-
 struct MeshArrays {
     const float* positions;  // three a vertex
     const std::uint32_t* triangles;
@@ -95,11 +94,10 @@ struct BuildKernels {
     // Grows `boxes` by the refs and `centres` by their doubled centres.
     void (*measure)(const BuildRef* refs, std::uint64_t n, GrowingBox& boxes, GrowingBox& centres);
     void (*measure_subsets)(const BuildRef* refs, std::uint32_t n, Subsets& subsets);
-    void (*clear_slabs)(SlabBins& bins, std::int32_t used);
     // Cuts triangles (a ref's item) at every plane; rounded to nearest, good for choosing a plane and no more.
     void (*bin_pieces)(const BuildRef* refs, std::uint64_t n, const MeshArrays& mesh, const SlabGrid& grid,
-                       SlabBins& bins);
-    void (*best_plane)(const SlabBins& bins, Split& split);
+                       Bins& bins);
+    void (*best_plane)(const Bins& bins, Split& split);
     // Fills the nine rows of corners of a block of n triangles; the box of those that triangle_check.h finds no fault
     // with, and with their slack. The others' corners become NaN.
     void (*fit_block)(float* block, std::uint32_t n, const std::uint32_t* triangles, const float* positions,

@@ -3,14 +3,16 @@
 #include "kernels/build_abi.h"
 #define RC_ISA isa_build_avx2
 #include "kernels/build.inl"
+#include "kernels/bins.inl"
+#include "kernels/pieces.inl"
 #include "kernels/fit.inl"
 // clang-format on
 
 namespace rc::kernel {
 
-const BuildKernels kAvx2BuildKernels{RC_ISA::clear,       RC_ISA::bin,          RC_ISA::best_split,
-                                     RC_ISA::partition,   RC_ISA::measure,      RC_ISA::measure_subsets,
-                                     RC_ISA::clear_slabs, RC_ISA::bin_pieces,   RC_ISA::best_plane,
-                                     RC_ISA::fit_block,   RC_ISA::measure_lanes};
+const BuildKernels kAvx2BuildKernels{RC_ISA::clear,        RC_ISA::bin,        RC_ISA::best_split,
+                                     RC_ISA::partition,    RC_ISA::measure,    RC_ISA::measure_subsets,
+                                     RC_ISA::bin_pieces,   RC_ISA::best_plane, RC_ISA::fit_block,
+                                     RC_ISA::measure_lanes};
 
 }  // namespace rc::kernel

@@ -19,13 +19,6 @@ static inline bool is_worth_keeping(const Quad& a, const Quad& b, const Quad& c)
     return (y1 * z2 != z1 * y2) | (z1 * x2 != x1 * z2) | (x1 * y2 != y1 * x2);
 }
 
-static inline Quad lesser(const Quad& a, const Quad& b) {
-    return a < b ? a : b;
-}
-static inline Quad greater(const Quad& a, const Quad& b) {
-    return a > b ? a : b;
-}
-
 static void fit_block(float* block, std::uint32_t n, const std::uint32_t* triangles, const float* positions,
                       GrowingBox& box, GrowingBox& with_slack) {
     Quad low = quad_of(0x1.fffffep127f), high = -low, low_of_all = low, high_of_all = high;
