@@ -2,6 +2,7 @@
 
 #include "contract.h"
 #include "data.h"
+#include "dispatch.h"
 #include "parallel.h"
 
 #include <algorithm>
@@ -21,19 +22,18 @@ constexpr float kSurfaceOfNode = 1e-7f;
 constexpr float kLeaf = 0.57f;
 constexpr float kItem = 0.17f;
 
-// What a binary subtree costs when it may take up to i lanes of the node above it, for i = 1 ... 8: the surfaces of all
-// wide nodes and leaves in it, in shares of the root's and times what they cost, and how many nodes they are.
-struct Costs {
-    float area[kernel::kWidth + 1] = {};
-    std::uint32_t nodes[kernel::kWidth + 1] = {};
-    int lanes = 1;  // more than its binary leaves it can not take; what stands behind is not told
-};
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
+constexpr kernel::LaneCosts kOneLane{
+    {0, kInfinite, kInfinite, kInfinite, kInfinite, kInfinite, kInfinite, kInfinite}, {}, 1};
 
-// How many of i lanes go to the left child of a binary node; 0 where one lane less is as good. When the node is made a
-// wide one itself, it uses lefts[0] lanes, and lefts[1] of them go left.
+using kernel::LaneCosts;
+
+// How many of i + 1 lanes go to the left child of a binary node; 0 where one lane less is as good. When the node is made a
+// wide one itself, it uses `lanes` of its own, and lefts[0] of them go left.
 struct Plan {
     bool is_leaf;  // all of it in one
-    std::uint8_t lefts[kernel::kWidth + 1];
+    std::uint8_t lanes;
+    std::uint8_t lefts[kernel::kWidth];
 };
 
 // `Leaves` says what a leaf costs, how many items may be put together in one, how it is named, what its lane's word is, and
@@ -45,6 +45,7 @@ class Collapse {
     Collapse(const BinaryTree& tree, const Leaves& leaves)
         : binary_(tree.nodes.get()),
           leaves_(leaves),
+          kernels_(active_build_kernels()),
           plans_(std::make_unique_for_overwrite<Plan[]>(tree.size)),
           sizes_(std::make_unique_for_overwrite<std::uint32_t[]>(tree.size)) {}
 
@@ -56,7 +57,9 @@ class Collapse {
         }
         const float area = half_area(binary_[0]), per_area = 1.0f / area;
         per_root_area_ = area > 0.0f && per_area < std::numeric_limits<float>::infinity() ? per_area : 0.0f;
-        const std::uint32_t count = plan(0).nodes[1];
+        LaneCosts costs;
+        make_plan(0, costs);
+        const std::uint32_t count = costs.nodes[0];
         if (plans_[0].is_leaf) {
             tree.root = leaves_.code(as_leaf(0));
             return tree;
@@ -85,54 +88,39 @@ class Collapse {
     }
 
     // The least surface of wide nodes and leaves, for any number of lanes: dynamic programming (Ylitie, Karras, Laine 2017).
-    Costs plan(std::uint32_t at) {
+    void make_plan(std::uint32_t at, LaneCosts& costs) {
         const BinaryNode& node = binary_[at];
         const float area_here = share_of_surface(node), as_leaf = area_here * leaves_.cost(node.size());
-        plans_[at] = {node.is_leaf(), {}};
-        Costs costs;
-        costs.area[1] = as_leaf;
-        if (node.is_leaf()) return costs;
-        Costs sides[2];
-        for_lanes(node.size() >= kParallelRefs, 2,
-                  [&](int i) { sides[i] = plan(node.first + static_cast<std::uint32_t>(i)); });
-        const auto& [left, right] = sides;
-        costs.area[1] = std::numeric_limits<float>::infinity();
-        costs.lanes = std::min(kernel::kWidth, left.lanes + right.lanes);
-        for (int i = 2; i <= costs.lanes; ++i) {
-            int best = 0;
-            float area = costs.area[i - 1];
-            for (int k = std::max(1, i - right.lanes); k <= std::min(i - 1, left.lanes); ++k) {
-                const float sum = left.area[k] + right.area[i - k];
-                if (sum < area) {
-                    area = sum;
-                    best = k;
-                }
-            }
-            plans_[at].lefts[i] = static_cast<std::uint8_t>(best);
-            costs.area[i] = area;
-            costs.nodes[i] = best == 0 ? costs.nodes[i - 1] : left.nodes[best] + right.nodes[i - best];
+        Plan& plan = plans_[at];
+        if (node.is_leaf()) {
+            plan.is_leaf = true;
+            costs = kOneLane;
+            costs.area[0] = as_leaf;
+            return;
         }
-        int lanes = costs.lanes;  // of the node this becomes when it gets one lane
-        while (lanes > 2 && plans_[at].lefts[lanes] == 0) --lanes;
-        // No more of them than planned, even where the right child would have use for one: next to a large left child what
-        // it saves may be rounded away.
-        plans_[at].lefts[0] = static_cast<std::uint8_t>(lanes);
-        plans_[at].lefts[1] = plans_[at].lefts[lanes];
-        costs.area[1] = costs.area[costs.lanes] + area_here + kSurfaceOfNode;
-        costs.nodes[1] = sizes_[at] = 1 + costs.nodes[costs.lanes];
-        if (node.size() <= Leaves::kMost && as_leaf <= costs.area[1]) {
-            plans_[at].is_leaf = true;
-            costs.area[1] = as_leaf;
-            costs.nodes[1] = sizes_[at] = 0;
+        LaneCosts sides[2];
+        for_lanes(node.size() >= kParallelRefs, 2,
+                  [&](int i) { make_plan(node.first + static_cast<std::uint32_t>(i), sides[i]); });
+        kernels_.share_lanes(sides[0], sides[1], costs, plan.lefts);
+        // A node of its own uses no more lanes than planned, even where the right child would have use for one: next to a large
+        // left child what it saves may be rounded away.
+        int last = costs.lanes - 1;
+        while (last > 1 && plan.lefts[last] == 0) --last;
+        plan.lanes = static_cast<std::uint8_t>(last + 1);
+        plan.lefts[0] = plan.lefts[last];
+        costs.area[0] = costs.area[last] + area_here + kSurfaceOfNode;
+        costs.nodes[0] = sizes_[at] = 1 + costs.nodes[last];
+        plan.is_leaf = node.size() <= Leaves::kMost && as_leaf <= costs.area[0];
+        if (plan.is_leaf) {
+            costs.area[0] = as_leaf;
+            costs.nodes[0] = sizes_[at] = 0;
         }
         // One lane may do better than several: then several make no use of the others.
-        for (int i = 2; i <= costs.lanes; ++i) {
-            if (costs.area[i] < costs.area[1]) break;
-            plans_[at].lefts[i] = 0;
-            costs.area[i] = costs.area[1];
-            costs.nodes[i] = costs.nodes[1];
+        for (int i = 1; i < costs.lanes && !(costs.area[i] < costs.area[0]); ++i) {
+            plan.lefts[i] = 0;
+            costs.area[i] = costs.area[0];
+            costs.nodes[i] = costs.nodes[0];
         }
-        return costs;
     }
 
     // One that will be written.
@@ -141,7 +129,7 @@ class Collapse {
         while (!plans_[at].is_leaf) {
             std::uint32_t lanes[kernel::kWidth];
             int n = 0;
-            open(at, plans_[at].lefts[0], plans_[at].lefts[1], lanes, n);
+            open(at, plans_[at].lanes, plans_[at].lefts[0], lanes, n);
             at = lanes[0];
         }
         return at;
@@ -160,7 +148,7 @@ class Collapse {
     std::uint32_t write(std::uint32_t at, std::uint32_t index) {
         std::uint32_t lanes[kernel::kWidth];
         int n = 0;
-        open(at, plans_[at].lefts[0], plans_[at].lefts[1], lanes, n);
+        open(at, plans_[at].lanes, plans_[at].lefts[0], lanes, n);
         arrange(lanes, n);
         kernel::WideNode& node = nodes_[index];
         for (int i = n; i < kernel::kWidth; ++i) clear_lane(node, i, harmless_leaf_);
@@ -213,16 +201,17 @@ class Collapse {
             lanes[n++] = at;
             return;
         }
-        while (share > 1 && plans_[at].lefts[share] == 0) --share;
+        while (share > 1 && plans_[at].lefts[share - 1] == 0) --share;
         if (share == 1) {
             lanes[n++] = at;
         } else {
-            open(at, share, plans_[at].lefts[share], lanes, n);
+            open(at, share, plans_[at].lefts[share - 1], lanes, n);
         }
     }
 
     const BinaryNode* binary_;
     const Leaves& leaves_;
+    const kernel::BuildKernels& kernels_;
     std::uint32_t harmless_leaf_ = 0;  // stands in for lanes that are empty
     float per_root_area_ = 0.0f;
     std::unique_ptr<Plan[]> plans_;

@@ -83,6 +83,15 @@ struct MeshArrays {
     const std::uint32_t* triangles;
 };
 
+// What a binary subtree costs when it may take up to i + 1 lanes of the wide node above it: the surfaces of all wide nodes
+// and leaves in it, in shares of the root's and times what they cost (infinite where it can not take as many), and how many
+// nodes they are.
+struct LaneCosts {
+    float area[kWidth];
+    std::uint32_t nodes[kWidth];
+    std::int32_t lanes;  // more than its binary leaves it can not take
+};
+
 struct BuildKernels {
     void (*clear)(Bins& bins, std::int32_t used);
     void (*bin)(const BuildRef* refs, std::uint64_t n, const BinGrid& grid, Bins& bins);
@@ -98,6 +107,10 @@ struct BuildKernels {
     void (*bin_pieces)(const BuildRef* refs, std::uint64_t n, const MeshArrays& mesh, const SlabGrid& grid,
                        Bins& bins);
     void (*best_plane)(const Bins& bins, Split& split);
+    // How two or more lanes are best shared by two subtrees: lefts[i] of i + 1 go to the left one; 0 where one lane less is as
+    // good. Of one lane nothing is told.
+    void (*share_lanes)(const LaneCosts& left, const LaneCosts& right, LaneCosts& both,
+                        std::uint8_t (&lefts)[kWidth]);
     // Fills the nine rows of corners of a block of n triangles; the box of those that triangle_check.h finds no fault
     // with, and with their slack. The others' corners become NaN.
     void (*fit_block)(float* block, std::uint32_t n, const std::uint32_t* triangles, const float* positions,
