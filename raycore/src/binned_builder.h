@@ -14,7 +14,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 
 namespace rc {
@@ -33,9 +32,8 @@ struct alignas(32) BinaryNode {
 static_assert(sizeof(BinaryNode) == 32);
 
 struct BinaryTree {
-    std::unique_ptr<BinaryNode[]> nodes;  // the root first
-    std::unique_ptr<std::uint8_t[]>
-        heights;  // of nodes: 0 of a leaf; only of those that are cut from the top
+    Unfilled<BinaryNode> nodes;      // the root first; room for more than there are
+    Unfilled<std::uint8_t> heights;  // of nodes: 0 of a leaf; only of those that are cut from the top
     std::size_t size = 0;
     Unfilled<std::uint32_t> items;  // of refs, leaf by leaf
 };

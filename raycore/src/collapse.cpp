@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <memory>
 
 namespace rc {
 
@@ -43,11 +42,11 @@ template <class Leaves>
 class Collapse {
   public:
     Collapse(const BinaryTree& tree, const Leaves& leaves)
-        : binary_(tree.nodes.get()),
+        : binary_(tree.nodes.data()),
           leaves_(leaves),
           kernels_(active_build_kernels()),
-          plans_(std::make_unique_for_overwrite<Plan[]>(tree.size)),
-          sizes_(std::make_unique_for_overwrite<std::uint32_t[]>(tree.size)) {}
+          plans_(tree.size),
+          sizes_(tree.size) {}
 
     WideTree run() {
         WideTree tree;
@@ -214,8 +213,8 @@ class Collapse {
     const kernel::BuildKernels& kernels_;
     std::uint32_t harmless_leaf_ = 0;  // stands in for lanes that are empty
     float per_root_area_ = 0.0f;
-    std::unique_ptr<Plan[]> plans_;
-    std::unique_ptr<std::uint32_t[]> sizes_;  // wide nodes below, and itself, when opened
+    Unfilled<Plan> plans_;
+    Unfilled<std::uint32_t> sizes_;  // wide nodes below, and itself, when opened
     kernel::WideNode* nodes_ = nullptr;
 };
 

@@ -1,7 +1,7 @@
 // node_pool.h - nodes for builders whose subtrees grow side by side.
 //
 // Siblings lie next to each other. A subtree of m refs takes at most m - 1 pairs, in small chunks, so that memory is
-// touched only where nodes are: first use of a page is a tenth of a build.
+// touched only where nodes are: first use of a page is a tenth of a build where pages are small.
 #pragma once
 
 #include "binned_builder.h"
@@ -14,10 +14,7 @@ namespace rc::build {
 
 class NodePool {
   public:
-    explicit NodePool(std::size_t refs)
-        : nodes_(std::make_unique_for_overwrite<BinaryNode[]>(2 * refs)),
-          heights_(std::make_unique_for_overwrite<std::uint8_t[]>(2 * refs)),
-          next_(1) {}
+    explicit NodePool(std::size_t refs) : nodes_(2 * refs), heights_(2 * refs), next_(1) {}
 
     BinaryNode& operator[](std::size_t i) { return nodes_[i]; }
     std::uint8_t& height_of(std::size_t i) { return heights_[i]; }
@@ -30,8 +27,8 @@ class NodePool {
     }
 
   private:
-    std::unique_ptr<BinaryNode[]> nodes_;
-    std::unique_ptr<std::uint8_t[]> heights_;
+    Unfilled<BinaryNode> nodes_;
+    Unfilled<std::uint8_t> heights_;
     std::atomic<std::uint32_t> next_;
 };
 

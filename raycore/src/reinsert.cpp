@@ -52,8 +52,8 @@ std::uint32_t sibling_of(std::uint32_t node) {
 class Reinsertion {
   public:
     explicit Reinsertion(BinaryTree& tree)
-        : nodes_(tree.nodes.get()),
-          heights_(tree.heights.get()),
+        : nodes_(tree.nodes.data()),
+          heights_(tree.heights.data()),
           parents_(std::make_unique_for_overwrite<std::uint32_t[]>(tree.size)) {}
 
     // Whether it saved enough to be done again.

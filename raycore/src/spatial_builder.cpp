@@ -77,7 +77,7 @@ class SpatialBuilder {
         BinaryTree tree = pool_.release({});
         reinsert(tree);
         tree.items.resize(tree.nodes[0].size());
-        gather(tree.nodes.get(), 0, 0, tree.items);
+        gather(tree.nodes.data(), 0, 0, tree.items);
         return tree;
     }
 

@@ -39,8 +39,8 @@ class Planter {
         for (std::size_t i = places_.size(); i > 1 && places != 0; --i)
             std::swap(places_[i - 1], places_[shuffling.below(static_cast<std::uint32_t>(i))]);
         tree_.size = 2 * boxes_.size() - 1;
-        tree_.nodes = std::make_unique<BinaryNode[]>(tree_.size);
-        tree_.heights = std::make_unique<std::uint8_t[]>(tree_.size);
+        tree_.nodes.assign(tree_.size, BinaryNode{});
+        tree_.heights.assign(tree_.size, 0);
     }
 
     // Halved by number: what is put together above the clusters lies anywhere.
@@ -177,8 +177,10 @@ TEST(Reinsert, LeavesTreesWithoutSurfaceOrOfOneLeafAsTheyAre) {
         rc::reinsert(tree);
         EXPECT_EQ(told(tree), before);
     }
-    BinaryTree leaf{std::make_unique<BinaryNode[]>(1), std::make_unique<std::uint8_t[]>(1), 1, {}};
+    BinaryTree leaf;
+    leaf.nodes.assign(1, BinaryNode{});
     leaf.nodes[0].count = 1;
+    leaf.size = 1;
     rc::reinsert(leaf);
     EXPECT_EQ(told(leaf), "0");
 }
