@@ -22,46 +22,56 @@ static void join(Bins& bins, const Bins& others) {
     }
 }
 
-// What puts refs into the bin of their centre.
-struct Binning {
-    Quad origin, scale, last;
+static inline Oct twice(const float (&four)[4]) {
+    const Quad v = load_as<Quad>(four);
+    return __builtin_shufflevector(v, v, 0, 1, 2, 3, 0, 1, 2, 3);
+}
 
-    explicit Binning(const BinGrid& grid)
-        : origin(load_as<Quad>(grid.origin)),
-          scale(load_as<Quad>(grid.scale)),
-          last(quad_of(float(grid.count - 1))) {}
-
-    inline void put(const BuildRef& ref, Bins& bins) const {
-        const Oct box = load_as<Oct>(&ref);
-        const Quad zero = quad_of(0.0f), at = (centre_of(ref) - origin) * scale;
-        const Quad low = at < last ? at : last;
-        const QuadBits index = __builtin_convertvector(low > zero ? low : zero, QuadBits);
-        for (int a = 0; a < 3; ++a) {
-            Bin& bin = bins.at[std::uint32_t(index[a])];
-            grow(bin.boxes[a], box);
-            ++bin.entries[a];
-        }
+// The bin of every ref's centre along each axis, of two refs at a time.
+static inline void find_bins(const BuildRef* refs, std::uint64_t n, const BinGrid& grid,
+                             std::uint32_t (*found)[4]) {
+    const Oct origin = twice(grid.origin), scale = twice(grid.scale);
+    const Oct last = oct_of(float(grid.count - 1)), zero = oct_of(0.0f);
+    for (std::uint64_t i = 0; i < n; i += 2) {
+        const Oct a = load_as<Oct>(&refs[i]), b = load_as<Oct>(&refs[i + 1 < n ? i + 1 : i]);
+        const Oct centre = without_items(__builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15) -
+                                         __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11));
+        const Oct at = greater(lesser((centre - origin) * scale, last), zero);
+        store_as<OctBits>(found[i], __builtin_convertvector(at, OctBits));
     }
-};
+}
+
+static inline void put(const BuildRef& ref, const std::uint32_t (&in)[4], Bins& bins) {
+    const Oct box = load_as<Oct>(&ref);
+    for (int a = 0; a < 3; ++a) {
+        Bin& bin = bins.at[in[a]];
+        grow(bin.boxes[a], box);
+        ++bin.entries[a];
+    }
+}
 
 // Neighbours fall into the same bins, and each would wait until what the one before it wrote there can be read again. So of
 // four each has bins of its own, where there are enough of them to pay for joining those.
 static void bin(const BuildRef* refs, std::uint64_t n, const BinGrid& grid, Bins& bins) {
-    constexpr std::uint64_t kEnough = 256;
-    const Binning binning(grid);
-    std::uint64_t i = 0;
-    if (n >= kEnough) {
-        Bins others[3];
-        for (Bins& other : others) clear(other, grid.count);
-        for (; i + 4 <= n; i += 4) {
-            binning.put(refs[i], bins);
-            binning.put(refs[i + 1], others[0]);
-            binning.put(refs[i + 2], others[1]);
-            binning.put(refs[i + 3], others[2]);
+    constexpr std::uint64_t kEnough = 256, kAtATime = 64;
+    const bool are_enough = n >= kEnough;
+    Bins others[3];
+    for (int k = 0; are_enough && k < 3; ++k) clear(others[k], grid.count);
+    std::uint32_t found[kAtATime][4];
+    for (std::uint64_t begin = 0; begin < n; begin += kAtATime) {
+        const BuildRef* some = refs + begin;
+        const std::uint64_t count = n - begin < kAtATime ? n - begin : kAtATime;
+        find_bins(some, count, grid, found);
+        std::uint64_t i = 0;
+        for (; are_enough && i + 4 <= count; i += 4) {
+            put(some[i], found[i], bins);
+            put(some[i + 1], found[i + 1], others[0]);
+            put(some[i + 2], found[i + 2], others[1]);
+            put(some[i + 3], found[i + 3], others[2]);
         }
-        for (const Bins& other : others) join(bins, other);
+        for (; i < count; ++i) put(some[i], found[i], bins);
     }
-    for (; i < n; ++i) binning.put(refs[i], bins);
+    for (int k = 0; are_enough && k < 3; ++k) join(bins, others[k]);
 }
 
 // What lies on one side of a border, along all three axes at once.

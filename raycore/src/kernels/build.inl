@@ -7,6 +7,7 @@ namespace rc::kernel::RC_ISA {
 typedef float Quad __attribute__((vector_size(16)));
 typedef std::int32_t QuadBits __attribute__((vector_size(16)));
 typedef float Oct __attribute__((vector_size(32)));
+typedef std::int32_t OctBits __attribute__((vector_size(32)));
 
 template <class Vector>
 static inline Vector load_as(const void* p) {
@@ -20,6 +21,9 @@ static inline void store_as(void* p, const Vector& v) {
 }
 static inline Quad quad_of(float a) {
     return Quad{a, a, a, a};
+}
+static inline Oct oct_of(float a) {
+    return Oct{a, a, a, a, a, a, a, a};
 }
 
 template <class Vector>
@@ -36,8 +40,7 @@ static inline void grow(GrowingBox& box, const Oct& by) {
 }
 
 static inline Oct nothing() {
-    constexpr float kNone = -0x1.fffffep127f;
-    return Oct{kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone};
+    return oct_of(-0x1.fffffep127f);
 }
 
 static inline void empty(GrowingBox& box) {
@@ -53,10 +56,17 @@ static inline float half_area(const Oct& box) {
     return (d[0] * d[1] + d[1] * d[2]) + d[2] * d[0];
 }
 
-// Twice the centre. The lane behind the axes holds an integer; as a float it may be denormal, which is slow.
+// The lane behind the axes holds an integer; as a float it may be denormal, which is slow.
+static inline Quad without_item(const Quad& v) {
+    return reinterpret_cast<Quad>(reinterpret_cast<QuadBits>(v) & QuadBits{-1, -1, -1, 0});
+}
+static inline Oct without_items(const Oct& v) {
+    return reinterpret_cast<Oct>(reinterpret_cast<OctBits>(v) & OctBits{-1, -1, -1, 0, -1, -1, -1, 0});
+}
+
+// Twice the centre.
 static inline Quad centre_of(const BuildRef& ref) {
-    const Quad c = load_as<Quad>(ref.max) - load_as<Quad>(ref.neg_min);
-    return reinterpret_cast<Quad>(reinterpret_cast<QuadBits>(c) & QuadBits{-1, -1, -1, 0});
+    return without_item(load_as<Quad>(ref.max) - load_as<Quad>(ref.neg_min));
 }
 
 static std::uint64_t partition(BuildRef* refs, std::uint64_t n, const BinGrid& grid, std::int32_t axis,

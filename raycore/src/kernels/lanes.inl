@@ -2,11 +2,6 @@
 
 namespace rc::kernel::RC_ISA {
 
-typedef std::int32_t OctBits __attribute__((vector_size(32)));
-
-static inline Oct oct_of(float a) {
-    return Oct{a, a, a, a, a, a, a, a};
-}
 static inline OctBits bits_of(std::int32_t a) {
     return OctBits{a, a, a, a, a, a, a, a};
 }
