@@ -1,5 +1,7 @@
 #include "collect_refs.h"
 
+#include "contract.h"
+#include "dispatch.h"
 #include "parallel.h"
 #include "tree_math.h"
 #include "triangle_check.h"
@@ -12,27 +14,6 @@ namespace rc {
 namespace {
 
 constexpr std::size_t kTrianglesAtATime = 8192;
-
-// Grows `bounds` by the triangle as well.
-BuildRef ref_around(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, std::size_t item,
-                    GrowingBox& bounds) {
-    BuildRef ref{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        ref.neg_min[k] = -std::min(a[k], std::min(b[k], c[k]));
-        ref.max[k] = std::max(a[k], std::max(b[k], c[k]));
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-        bounds.neg_min[k] = std::max(bounds.neg_min[k], ref.neg_min[k]);
-        bounds.max[k] = std::max(bounds.max[k], ref.max[k]);
-    }
-    const float slack = slack_of(a, b, c);
-    for (std::size_t k = 0; k < 3; ++k) {
-        ref.neg_min[k] += slack;
-        ref.max[k] += slack;
-    }
-    ref.item = static_cast<std::uint32_t>(item);
-    return ref;
-}
 
 }  // namespace
 
@@ -50,21 +31,21 @@ CollectedRefs collect_refs(const MeshView& mesh, std::size_t most, MeshReport& r
     Unfilled<BuildRef>& refs = collected.refs;
     refs.reserve(std::max(most, n));
     refs.resize(n);
+    const kernel::BuildKernels& kernels = active_build_kernels();
+    const kernel::MeshArrays arrays{reinterpret_cast<const float*>(mesh.positions.data()),
+                                    reinterpret_cast<const std::uint32_t*>(mesh.triangles.data())};
     // Each block fills its own part of `refs` from the front.
     std::vector<MeshReport> reports((n + kTrianglesAtATime - 1) / kTrianglesAtATime);
     std::vector<GrowingBox> bounds(reports.size(), build::kNoBox);
     for_in_parallel(reports.size(), [&](std::size_t block) {
         const std::size_t begin = block * kTrianglesAtATime, end = std::min(begin + kTrianglesAtATime, n);
-        std::size_t kept = begin;
-        for (std::size_t i = begin; i < end; ++i) {
-            const glm::uvec3& t = mesh.triangles[i];
-            const TriangleFault fault = fault_of(mesh.positions, t);
-            count(fault, reports[block]);
-            if (fault == TriangleFault::None)
-                refs[kept++] = ref_around(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z], i,
-                                          bounds[block]);
-        }
-        reports[block].triangles = end - begin;
+        const std::size_t kept =
+            kernels.box_triangles(arrays, mesh.positions.size(), begin, end, &refs[begin], bounds[block]);
+        MeshReport& part = reports[block];
+        part.triangles = end - begin;
+        for (std::size_t i = begin; kept < part.triangles && i < end; ++i)
+            count(fault_of(mesh.positions, mesh.triangles[i]), part);
+        RC_EXPECTS(part.kept() == kept, "one answer to which triangles are worth keeping");
     });
     // Then the parts are pushed together; where nothing was dropped they already are.
     std::size_t kept = 0;

@@ -115,6 +115,10 @@ struct BuildKernels {
     // with, and with their slack. The others' corners become NaN.
     void (*fit_block)(float* block, std::uint32_t n, const std::uint32_t* triangles, const float* positions,
                       GrowingBox& box, GrowingBox& with_slack);
+    // Boxes with slack around those of the triangles [first, end) that triangle_check.h finds no fault with, in order; how
+    // many. Grows `bounds` by the triangles themselves. There are so many `vertices`.
+    std::uint64_t (*box_triangles)(const MeshArrays& mesh, std::uint64_t vertices, std::uint64_t first,
+                                   std::uint64_t end, BuildRef* refs, GrowingBox& bounds);
     // The box of what `node`'s lanes hold, and their half areas.
     void (*measure_lanes)(const WideNode& node, GrowingBox& box, float (&half_areas)[kWidth]);
 };

@@ -2,6 +2,8 @@
 
 namespace rc::kernel::RC_ISA {
 
+typedef double Doubles __attribute__((vector_size(32)));
+
 static inline Quad absolute(Quad a) {
     return reinterpret_cast<Quad>(reinterpret_cast<QuadBits>(a) &
                                   QuadBits{INT32_MAX, INT32_MAX, INT32_MAX, INT32_MAX});
@@ -12,11 +14,14 @@ static inline bool is_worth_keeping(const Quad& a, const Quad& b, const Quad& c)
     const Quad most = quad_of(kLargestCoordinate);
     const QuadBits near = (absolute(a) <= most) & (absolute(b) <= most) & (absolute(c) <= most);
     if ((near[0] & near[1] & near[2]) == 0) return false;
-    const double x1 = double(b[0]) - double(a[0]), y1 = double(b[1]) - double(a[1]),
-                 z1 = double(b[2]) - double(a[2]);
-    const double x2 = double(c[0]) - double(a[0]), y2 = double(c[1]) - double(a[1]),
-                 z2 = double(c[2]) - double(a[2]);
-    return (y1 * z2 != z1 * y2) | (z1 * x2 != x1 * z2) | (x1 * y2 != y1 * x2);
+    // The products of a cross product, three at a time.
+    const Doubles from = __builtin_convertvector(a, Doubles);
+    const Doubles u = __builtin_convertvector(b, Doubles) - from,
+                  v = __builtin_convertvector(c, Doubles) - from;
+    const auto differs =
+        __builtin_shufflevector(u, u, 1, 2, 0, 3) * __builtin_shufflevector(v, v, 2, 0, 1, 3) !=
+        __builtin_shufflevector(u, u, 2, 0, 1, 3) * __builtin_shufflevector(v, v, 1, 2, 0, 3);
+    return (differs[0] | differs[1] | differs[2]) != 0;
 }
 
 static void fit_block(float* block, std::uint32_t n, const std::uint32_t* triangles, const float* positions,
