@@ -43,7 +43,7 @@ struct Blas::Data {
 
 struct Scene::Data {
     std::vector<Instance> instances;
-    std::vector<kernel::InstanceView> views;  // slot i is instance i
+    Unfilled<kernel::InstanceView> views;  // slot i is instance i
     Unfilled<kernel::WideNode> nodes;
     std::size_t dropped = 0;
     Box bounds;
