@@ -18,19 +18,6 @@
 
 namespace rc {
 
-struct alignas(32) BinaryNode {
-    float min[3];
-    std::uint32_t
-        first;  // leaf: first of its items; inner: index of the left child, the right one being next
-    float max[3];
-    std::uint32_t count;  // items of a leaf; kInner and how many items are below it for an inner node
-
-    static constexpr std::uint32_t kInner = 0x80000000u;
-    [[nodiscard]] bool is_leaf() const { return (count & kInner) == 0; }
-    [[nodiscard]] std::uint32_t size() const { return count & ~kInner; }
-};
-static_assert(sizeof(BinaryNode) == 32);
-
 struct BinaryTree {
     Unfilled<BinaryNode> nodes;      // the root first; room for more than there are
     Unfilled<std::uint8_t> heights;  // of nodes: 0 of a leaf; only of those that are cut from the top

@@ -5,6 +5,8 @@
 #include "dispatch.h"
 #include "parallel.h"
 
+#include "raycore/ray.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -21,11 +23,9 @@ constexpr float kSurfaceOfNode = 1e-7f;
 constexpr float kLeaf = 0.57f;
 constexpr float kItem = 0.17f;
 
-constexpr float kInfinite = std::numeric_limits<float>::infinity();
-constexpr kernel::LaneCosts kOneLane{
-    {0, kInfinite, kInfinite, kInfinite, kInfinite, kInfinite, kInfinite, kInfinite}, {}, 1};
-
 using kernel::LaneCosts;
+constexpr LaneCosts kOneLane{
+    {0, kInfinity, kInfinity, kInfinity, kInfinity, kInfinity, kInfinity, kInfinity}, {}, 1};
 
 // How many of i + 1 lanes go to the left child of a binary node; 0 where one lane less is as good. When the node is made a
 // wide one itself, it uses `lanes` of its own, and lefts[0] of them go left.
@@ -34,6 +34,9 @@ struct Plan {
     std::uint8_t lanes;
     std::uint8_t lefts[kernel::kWidth];
 };
+
+// What fills lanes that nobody needs: met by nothing, and sorted behind everything.
+constexpr BinaryNode kNowhere{{kInfinity, kInfinity, kInfinity}, 0, {-kInfinity, -kInfinity, -kInfinity}, 1};
 
 // `Leaves` says what a leaf costs, how many items may be put together in one, how it is named, what its lane's word is, and
 // how a node's word comes from its lanes' and the number of nodes below it. Twice over the tree: upwards to find the cheapest
@@ -125,12 +128,7 @@ class Collapse {
     // One that will be written.
     [[nodiscard]] std::uint32_t some_leaf() const {
         std::uint32_t at = 0;
-        while (!plans_[at].is_leaf) {
-            std::uint32_t lanes[kernel::kWidth];
-            int n = 0;
-            open(at, plans_[at].lanes, plans_[at].lefts[0], lanes, n);
-            at = lanes[0];
-        }
+        while (!plans_[at].is_leaf) at = index_of(lanes_of(at).nodes[0]);
         return at;
     }
 
@@ -145,66 +143,56 @@ class Collapse {
 
     // The word of the node that is written at `index`.
     std::uint32_t write(std::uint32_t at, std::uint32_t index) {
-        std::uint32_t lanes[kernel::kWidth];
-        int n = 0;
-        open(at, plans_[at].lanes, plans_[at].lefts[0], lanes, n);
-        arrange(lanes, n);
+        Lanes lanes = lanes_of(at);
+        std::fill(lanes.nodes + lanes.count, lanes.nodes + kernel::kWidth, &kNowhere);
         kernel::WideNode& node = nodes_[index];
-        for (int i = n; i < kernel::kWidth; ++i) clear_lane(node, i, harmless_leaf_);
+        // The likeliest to end an any-hit walk soon - what is likely to be met, and soon told - into the highest lane.
+        kernels_.fill_boxes(lanes.nodes, node);
         std::uint32_t next = index + 1;
-        for (int i = 0; i < n; ++i) {
-            const BinaryNode& child = binary_[lanes[i]];
-            for (int a = 0; a < 3; ++a) {
-                node.bounds[2 * a][i] = child.min[a];
-                node.bounds[2 * a + 1][i] = child.max[a];
-            }
-            const bool is_leaf = plans_[lanes[i]].is_leaf;
-            node.child[i] = is_leaf ? leaves_.code(as_leaf(lanes[i])) : next;
-            if (!is_leaf) next += sizes_[lanes[i]];
+        for (int i = 0; i < kernel::kWidth; ++i) {
+            node.layers[i] = 0;
+            node.child[i] = harmless_leaf_;
+            if (i >= lanes.count) continue;
+            const std::uint32_t child = index_of(lanes.nodes[i]);
+            const bool is_leaf = plans_[child].is_leaf;
+            node.child[i] = is_leaf ? leaves_.code(as_leaf(child)) : next;
+            if (!is_leaf) next += sizes_[child];
         }
         RC_EXPECTS(next == index + sizes_[at], "as many nodes to be written as were planned");
-        for_lanes(binary_[at].size() >= kParallelRefs, n, [&](int i) {
-            const bool is_leaf = plans_[lanes[i]].is_leaf;
-            node.layers[i] = is_leaf ? leaves_.word(as_leaf(lanes[i])) : write(lanes[i], node.child[i]);
+        for_lanes(binary_[at].size() >= kParallelRefs, lanes.count, [&](int i) {
+            const std::uint32_t child = index_of(lanes.nodes[i]);
+            const bool is_leaf = plans_[child].is_leaf;
+            node.layers[i] = is_leaf ? leaves_.word(as_leaf(child)) : write(child, node.child[i]);
         });
         std::uint32_t words = 0;
-        for (int i = 0; i < n; ++i) words |= node.layers[i];
+        for (const std::uint32_t word : node.layers) words |= word;
         return leaves_.word_of_node(words, sizes_[at]);
     }
 
-    // The likeliest to end an any-hit walk soon into the highest lane.
-    void arrange(std::uint32_t lanes[kernel::kWidth], int n) const {
-        float worth[kernel::kWidth];
-        for (int i = 0; i < n; ++i) {
-            const std::uint32_t item = lanes[i];
-            const float worth_of_item = worth_of(binary_[item]);
-            int at = i;
-            for (; at > 0 && worth[at - 1] > worth_of_item; --at) {
-                worth[at] = worth[at - 1];
-                lanes[at] = lanes[at - 1];
-            }
-            worth[at] = worth_of_item;
-            lanes[at] = item;
-        }
+    struct Lanes {
+        const BinaryNode* nodes[kernel::kWidth];
+        int count = 0;
+    };
+    [[nodiscard]] std::uint32_t index_of(const BinaryNode* node) const {
+        return static_cast<std::uint32_t>(node - binary_);
     }
-    // Surface a thing below: what is likely to be met, and soon told.
-    static float worth_of(const BinaryNode& node) { return half_area(node) / float(node.size()); }
-
+    [[nodiscard]] Lanes lanes_of(std::uint32_t at) const {
+        Lanes lanes;
+        open(at, plans_[at].lanes, plans_[at].lefts[0], lanes);
+        return lanes;
+    }
     // Gives the children of `at` the lanes that were planned for them.
-    void open(std::uint32_t at, int share, int lefts, std::uint32_t lanes[kernel::kWidth], int& n) const {
-        settle(binary_[at].first, lefts, lanes, n);
-        settle(binary_[at].first + 1, share - lefts, lanes, n);
+    void open(std::uint32_t at, int share, int lefts, Lanes& lanes) const {
+        settle(binary_[at].first, lefts, lanes);
+        settle(binary_[at].first + 1, share - lefts, lanes);
     }
-    void settle(std::uint32_t at, int share, std::uint32_t lanes[kernel::kWidth], int& n) const {
-        if (binary_[at].is_leaf()) {
-            lanes[n++] = at;
-            return;
-        }
-        while (share > 1 && plans_[at].lefts[share - 1] == 0) --share;
-        if (share == 1) {
-            lanes[n++] = at;
+    void settle(std::uint32_t at, int share, Lanes& lanes) const {
+        const bool is_leaf = binary_[at].is_leaf();
+        while (!is_leaf && share > 1 && plans_[at].lefts[share - 1] == 0) --share;
+        if (is_leaf || share == 1) {
+            lanes.nodes[lanes.count++] = &binary_[at];
         } else {
-            open(at, share, plans_[at].lefts[share - 1], lanes, n);
+            open(at, share, plans_[at].lefts[share - 1], lanes);
         }
     }
 
@@ -239,15 +227,6 @@ struct TlasLeaves {
 };
 
 }  // namespace
-
-void clear_lane(kernel::WideNode& node, int lane, std::uint32_t harmless_leaf) {
-    for (int a = 0; a < 3; ++a) {
-        node.bounds[2 * a][lane] = std::numeric_limits<float>::infinity();
-        node.bounds[2 * a + 1][lane] = -std::numeric_limits<float>::infinity();
-    }
-    node.child[lane] = harmless_leaf;
-    node.layers[lane] = 0;
-}
 
 WideTree collapse_blas(const BinaryTree& tree) {
     const BlasLeaves leaves;

@@ -21,7 +21,4 @@ struct WideTree {
 // TLAS leaves are single items; `layers[item]` is gathered upwards.
 [[nodiscard]] WideTree collapse_tlas(const BinaryTree& tree, const std::vector<std::uint32_t>& layers);
 
-// No box: met by nothing.
-void clear_lane(kernel::WideNode& node, int lane, std::uint32_t harmless_leaf);
-
 }  // namespace rc

@@ -31,6 +31,19 @@ struct alignas(32) BuildRef {
 };
 static_assert(sizeof(BuildRef) == sizeof(GrowingBox));
 
+struct alignas(32) BinaryNode {
+    float min[3];
+    std::uint32_t
+        first;  // leaf: first of its items; inner: index of the left child, the right one being next
+    float max[3];
+    std::uint32_t count;  // items of a leaf; kInner and how many items are below it for an inner node
+
+    static constexpr std::uint32_t kInner = 0x80000000u;
+    [[nodiscard]] bool is_leaf() const { return (count & kInner) == 0; }
+    [[nodiscard]] std::uint32_t size() const { return count & ~kInner; }
+};
+static_assert(sizeof(BinaryNode) == 32);
+
 namespace kernel {
 
 inline constexpr int kMaxBins = 16;
@@ -111,6 +124,8 @@ struct BuildKernels {
     // good. Of one lane nothing is told.
     void (*share_lanes)(const LaneCosts& left, const LaneCosts& right, LaneCosts& both,
                         std::uint8_t (&lefts)[kWidth]);
+    // Orders children by surface an item below and writes their boxes into a node's lanes.
+    void (*fill_boxes)(const BinaryNode* (&children)[kWidth], WideNode& node);
     // Fills the nine rows of corners of a block of n triangles; the box of those that triangle_check.h finds no fault
     // with, and with their slack. The others' corners become NaN.
     void (*fit_block)(float* block, std::uint32_t n, const std::uint32_t* triangles, const float* positions,

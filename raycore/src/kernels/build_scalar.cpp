@@ -12,9 +12,10 @@
 
 namespace rc::kernel {
 
-const BuildKernels kScalarBuildKernels{RC_ISA::clear,      RC_ISA::bin,           RC_ISA::best_split,
-                                       RC_ISA::partition,  RC_ISA::measure,       RC_ISA::measure_subsets,
-                                       RC_ISA::bin_pieces, RC_ISA::best_plane,    RC_ISA::share_lanes,
-                                       RC_ISA::fit_block,  RC_ISA::box_triangles, RC_ISA::measure_lanes};
+const BuildKernels kScalarBuildKernels{RC_ISA::clear,          RC_ISA::bin,        RC_ISA::best_split,
+                                       RC_ISA::partition,      RC_ISA::measure,    RC_ISA::measure_subsets,
+                                       RC_ISA::bin_pieces,     RC_ISA::best_plane, RC_ISA::share_lanes,
+                                       RC_ISA::fill_boxes,     RC_ISA::fit_block,  RC_ISA::box_triangles,
+                                       RC_ISA::measure_lanes};
 
 }  // namespace rc::kernel
