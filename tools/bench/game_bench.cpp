@@ -7,6 +7,7 @@
 #include "bench_paths.h"
 #include "bench_senses.h"
 #include "bench_ticks.h"
+#include "bench_window.h"
 #include "input/replay.h"
 #include "load/level_loader.h"
 
@@ -31,6 +32,7 @@ struct Options {
     bool only_needs = false;
     bool only_films = false;
     bool only_paths = false;
+    bool only_window = false;
 };
 
 Options read_options(int argc, char** argv) {
@@ -50,6 +52,7 @@ Options read_options(int argc, char** argv) {
     app.add_flag("--films", options.only_films,
                  "only what the filters take of path-traced films, as the window has them");
     app.add_flag("--paths", options.only_paths, "only what path-traced pictures cost, by stage");
+    app.add_flag("--window", options.only_window, "only what the window's pictures cost, by stage");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -88,6 +91,10 @@ int bench_all(int argc, char** argv) {
     }
     if (options.only_paths) {
         bench::bench_paths(level, options.threads, options.rounds);
+        return 0;
+    }
+    if (options.only_window) {
+        bench::bench_window(level, options.threads, options.rounds);
         return 0;
     }
     std::vector<gh::input::Command> commands = bench::restless_player(options.ticks);
