@@ -2,6 +2,7 @@
 
 #include "base/contracts.h"
 #include "render/frame_light.h"
+#include "render/guide_colors.h"
 #include "render/guide_point.h"
 #include "render/sky.h"
 #include "render/tile.h"
@@ -22,7 +23,8 @@ constexpr std::size_t kIndicesAhead = 12, kCornersAhead = 6;  // hits whose memo
 // every ray of a picture goes.
 class GuideTracer {
   public:
-    explicit GuideTracer(const Frame& frame) : frame_(frame), tracer_(frame) {}
+    explicit GuideTracer(const Frame& frame)
+        : colors_(frame.settings.texture_taps), tracer_(frame), frame_(frame) {}
 
     void trace(int tile_x, int tile_y) {
         const int left = tile_x * kTileSide, top = tile_y * kTileSide;
@@ -49,6 +51,7 @@ class GuideTracer {
             not_plain_.push_back(static_cast<std::uint16_t>(i));
             met_.push_back(hits_[i]);
         }
+        colors_.flush();
         if (!not_plain_.empty()) tracer_.look_at(tile_x, tile_y, not_plain_, met_);
     }
 
@@ -66,21 +69,24 @@ class GuideTracer {
             note({}, at, *frame_.guide);  // should nothing come of it
             return false;
         }
+        const GuidePoint point = plain_point(frame_.view, triangle, ray, hit);
+        note(point, at, *frame_.guide);
+        clean = glm::vec3(0.0f);
         const float width = frame_.lens.pixel_angle() * hit.t * frame_.settings.texture_blur;
-        const PlainPoint plain =
-            plain_point(frame_.view, triangle, ray, hit, width, frame_.settings.texture_taps);
-        note(plain.guide, at, *frame_.guide);
-        clean = frame_.light.emission_on[hit.instance] != 0 ? plain.emission : glm::vec3(0.0f);
+        const float weight = frame_.light.emission_on[hit.instance] != 0 ? 1.0f : 0.0f;
+        colors_.add(frame_.view, triangle, hit, {ray.direction, point.geometric, width},
+                    {&frame_.guide->albedo[at], &clean, glm::vec3(weight)});
         return true;
     }
 
-    const Frame& frame_;
+    GuideColors colors_;
     TileTracer tracer_;
-    GuideTriangles triangles_;
+    const Frame& frame_;
     std::vector<rc::Ray> rays_;
     std::vector<rc::Hit> hits_;
     std::vector<std::uint16_t> not_plain_;
     std::vector<rc::Hit> met_;  // by those
+    GuideTriangles triangles_;
 };
 
 void fit(FilmPlanes& planes, glm::ivec2 size) {

@@ -4,7 +4,7 @@
 // Mirrors and clear glass are looked through as Film::planes say; `clean` holds what shines by itself, sky and bulbs,
 // exactly as a Whitted picture of the same pixel has it.
 //
-// Cost      one ray a pixel, and one more for every mirror and pane on its way. .2 to .3 us a pixel on one core, .4 in a
+// Cost      one ray a pixel, and one more for every mirror and pane on its way. .1 to .2 us a pixel on one core, .3 in a
 //           hall of mirrors.
 // Threads, same bits, bad input   as render/whitted.h.
 #pragma once

@@ -45,7 +45,7 @@ const GuideTriangle& GuideTriangles::of(const SceneView& view, const rc::Hit& hi
     triangle.material = &view.level.materials[material];
     triangle.is_plain = is_plain(*triangle.material);
     if (!triangle.is_plain) return triangle;
-    triangle.is_textured = !mesh.uvs.empty() && view.prepared.has_textures[material] != 0;
+    triangle.is_textured = !mesh.uvs.empty() && view.prepared.material_textures[material].count > 0;
     const glm::mat3 to_world = linear_part(view.snapshot.scene->instance(hit.instance).world_from_instance);
     const HitTriangle corners = corners_of(view, mesh, hit, to_world, triangle.is_textured);
     triangle.normal = unit_or(glm::cross(corners.edge1, corners.edge2), glm::vec3(0.0f));
@@ -57,33 +57,15 @@ const GuideTriangle& GuideTriangles::of(const SceneView& view, const rc::Hit& hi
     return triangle;
 }
 
-PlainPoint plain_point(const SceneView& view, const GuideTriangle& triangle, const rc::Ray& ray,
-                       const rc::Hit& hit, float cone_width, float max_taps) {
-    const world::Material& material = *triangle.material;
+GuidePoint plain_point(const SceneView& view, const GuideTriangle& triangle, const rc::Ray& ray,
+                       const rc::Hit& hit) {
     const glm::vec3 normal = triangle.normal == glm::vec3(0.0f) ? -ray.direction : triangle.normal;
-    PlainPoint result;
-    GuidePoint& point = result.guide;
+    GuidePoint point;
     point.part = hit.instance;
     point.position = ray.origin + ray.direction * hit.t;
     point.previous = previous_position(view, hit, point.position);
     point.geometric = glm::dot(normal, ray.direction) > 0.0f ? -normal : normal;
-    glm::vec3 base_color(material.base_color);
-    glm::vec3& emission = result.emission;
-    emission = material.emission;
-    if (triangle.is_textured) {
-        const Footprint footprint = footprint_of(triangle.gradients, ray.direction, normal, cone_width);
-        const glm::vec2 uv = triangle.uv + triangle.uv_edge1 * hit.u + triangle.uv_edge2 * hit.v;
-        const auto look_up = [&](std::uint32_t texture, world::TextureSlot slot) {
-            if (texture == world::kNoIndex) return glm::vec3(1.0f);
-            return glm::vec3(view.prepared.textures[texture].sample(
-                uv_of(material, slot, uv), footprint_of(material, slot, footprint), max_taps));
-        };
-        base_color *= look_up(material.base_color_texture, world::TextureSlot::BaseColor);
-        if (emission != glm::vec3(0.0f))
-            emission *= look_up(material.emission_texture, world::TextureSlot::Emission);
-    }
-    point.albedo = guide_albedo(base_color, 0.0f);
-    return result;
+    return point;
 }
 
 }  // namespace gh::render

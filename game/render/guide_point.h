@@ -61,14 +61,8 @@ class GuideTriangles {
     std::array<GuideTriangle, kKept> kept_{};
 };
 
-struct PlainPoint {
-    GuidePoint guide;
-    glm::vec3 emission{0.0f};
-};
-
-// A hit of a plain surface, with no more looked up than the guide needs. The ray's direction is unit; `cone_width` and
-// `max_taps` as shading_point() has them.
-[[nodiscard]] PlainPoint plain_point(const SceneView& view, const GuideTriangle& triangle, const rc::Ray& ray,
-                                     const rc::Hit& hit, float cone_width, float max_taps);
+// A hit of a plain surface, but for its colours (guide_colors.h). The ray's direction is unit.
+[[nodiscard]] GuidePoint plain_point(const SceneView& view, const GuideTriangle& triangle, const rc::Ray& ray,
+                                     const rc::Hit& hit);
 
 }  // namespace gh::render

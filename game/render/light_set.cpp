@@ -169,7 +169,7 @@ glm::vec3 LightSet::emission_at(const rc::Hit& hit, const glm::vec3& direction) 
         if (!material.uv_transforms.empty())
             uv = material.uv_transforms[static_cast<std::size_t>(world::TextureSlot::Emission)] *
                  glm::vec3(uv, 1.0f);
-        emission *= glm::vec3(view_.prepared.textures[material.emission_texture].sample(uv, {}));
+        emission *= glm::vec3(view_.prepared.textures[material.emission_texture].at(uv));
     }
     return emission;
 }

@@ -72,7 +72,7 @@ Prepared prepare(const world::Level& level, const world::Snapshot& rest, const J
     for (const PartTraits& part : prepared.parts) is_solid.push_back(part.is_solid_glass ? 1 : 0);
     prepared.needs = scene_needs(level, is_solid);
     for (const world::Material& material : level.materials)
-        prepared.has_textures.push_back(has_textures(material) ? 1 : 0);
+        prepared.material_textures.push_back(textures_of(material));
     prepared.energy = GlossEnergy(prepared.needs.has(Need::Cloth));
     prepared.emitters = find_emitters(level);
     const bool is_split = are_layers_split(level);

@@ -14,6 +14,7 @@
 #include "render/gloss_energy.h"
 #include "render/lamp.h"
 #include "render/lamp_lists.h"
+#include "render/material_textures.h"
 #include "render/scene_needs.h"
 #include "render/texture.h"
 #include "world/level.h"
@@ -44,8 +45,8 @@ struct Prepared {
     std::vector<MipTexture> textures;
     std::vector<PartTraits> parts;
     SceneNeeds needs;
-    std::vector<std::uint8_t> has_textures;  // one a material
-    std::vector<BulbClearance> bulbs;        // one a lamp
+    std::vector<MaterialTextures> material_textures;  // one a material
+    std::vector<BulbClearance> bulbs;                 // one a lamp
     LampLists lamp_lists;
     AmbientBake ambient;
     GlossTable gloss;

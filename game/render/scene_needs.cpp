@@ -1,5 +1,7 @@
 #include "render/scene_needs.h"
 
+#include "render/material_textures.h"
+
 #include "render/clear_mesh.h"
 
 #include <glm/common.hpp>
@@ -21,7 +23,7 @@ constexpr std::array<const char*, kNeeds> kNames{
     "bare lamps",   "suns",        "many lights", "deforming", "moving"};
 
 void add_material(const world::Material& m, SceneNeeds& needs) {
-    needs.add(Need::Textures, has_textures(m));
+    needs.add(Need::Textures, textures_of(m).count > 0);
     needs.add(Need::NormalMaps, m.normal_texture != world::kNoIndex);
     const bool mirrors = m.metallic > 0.0f || (m.ior > 1.0f && m.specular > 0.0f);
     needs.add(Need::Gloss, mirrors);
@@ -105,17 +107,6 @@ void add_lights(const world::Level& level, std::size_t emissive_triangles, Scene
 }
 
 }  // namespace
-
-bool has_textures(const world::Material& m) {
-    const world::Layers& l = m.layers;
-    for (const std::uint32_t texture :
-         {m.base_color_texture, m.metallic_roughness_texture, m.normal_texture, m.emission_texture,
-          l.specular_texture, l.specular_color_texture, l.coat_texture, l.coat_roughness_texture,
-          l.sheen_color_texture, l.sheen_roughness_texture, l.anisotropy_texture}) {
-        if (texture != world::kNoIndex) return true;
-    }
-    return false;
-}
 
 SceneNeeds scene_needs(const world::Level& level, const std::vector<std::uint8_t>& is_solid) {
     SceneNeeds needs;

@@ -66,7 +66,4 @@ class SceneNeeds {
 // "textures, gloss, solid glass"; "nothing" for none.
 [[nodiscard]] std::string sentence_of(const SceneNeeds& needs);
 
-// Whether shading has to look anything up by uv on it.
-[[nodiscard]] bool has_textures(const world::Material& material);
-
 }  // namespace gh::render

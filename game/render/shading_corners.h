@@ -1,17 +1,16 @@
-// render/shading_corners.h - the triangle that a ray hit, as shading needs it: its edges in the world, its place in
-// textures, and the patch of texture under a pixel.
+// render/shading_corners.h - the triangle that a ray hit, as shading needs it: its edges in the world and its place in
+// textures.
 #pragma once
 
 #include "render/light_math.h"
 #include "render/scene_view.h"
-#include "render/texture.h"
+#include "render/texture_lookups.h"
 
 #include "raycore/ray.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -48,11 +47,7 @@ inline HitTriangle corners_of(const SceneView& view, const world::Mesh& mesh, co
     return corners;
 }
 
-// How a texture's u and v change along a world vector in the triangle's plane; 0 where the triangle has no area.
-struct UvGradients {
-    glm::vec3 u{0.0f}, v{0.0f};
-};
-
+// 0 where the triangle has no area.
 inline UvGradients uv_gradients(const HitTriangle& corners) {
     const glm::vec3 n = glm::cross(corners.edge1, corners.edge2);
     const float area2 = glm::dot(n, n);
@@ -62,36 +57,6 @@ inline UvGradients uv_gradients(const HitTriangle& corners) {
     const glm::vec3 of_edge2 = glm::cross(n, corners.edge1) / area2;
     return {of_edge1 * corners.uv_edge1.x + of_edge2 * corners.uv_edge2.x,
             of_edge1 * corners.uv_edge1.y + of_edge2 * corners.uv_edge2.y};
-}
-
-// The ellipse that the ray's cone cuts out of the triangle's plane.
-inline Footprint footprint_of(const UvGradients& gradients, const glm::vec3& direction,
-                              const glm::vec3& geometric, float cone_width) {
-    const auto uv_along = [&](const glm::vec3& way) {
-        return glm::vec2(glm::dot(way, gradients.u), glm::dot(way, gradients.v));
-    };
-    const float cosine = std::max(std::abs(glm::dot(direction, geometric)), 0.02f);
-    const glm::vec3 slant = direction - geometric * glm::dot(direction, geometric);
-    const glm::vec3 any =
-        std::abs(geometric.y) < 0.9f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(1.0f, 0.0f, 0.0f);
-    const float slant2 = glm::dot(slant, slant);
-    const glm::vec3 along =
-        slant2 > 0.0f ? slant / std::sqrt(slant2) : glm::normalize(glm::cross(geometric, any));
-    const glm::vec3 across = glm::cross(geometric, along);
-    return {.major = uv_along(along * (cone_width / cosine)), .minor = uv_along(across * cone_width)};
-}
-
-inline glm::vec2 uv_of(const world::Material& material, world::TextureSlot slot, const glm::vec2& uv) {
-    if (material.uv_transforms.empty()) return uv;
-    return material.uv_transforms[static_cast<std::size_t>(slot)] * glm::vec3(uv, 1.0f);
-}
-
-// The footprint of a texture that is looked up elsewhere.
-inline Footprint footprint_of(const world::Material& material, world::TextureSlot slot,
-                              const Footprint& footprint) {
-    if (material.uv_transforms.empty()) return footprint;
-    const glm::mat3x2& m = material.uv_transforms[static_cast<std::size_t>(slot)];
-    return {m * glm::vec3(footprint.major, 0.0f), m * glm::vec3(footprint.minor, 0.0f)};
 }
 
 }  // namespace gh::render

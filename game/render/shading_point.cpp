@@ -69,26 +69,21 @@ glm::vec3 mapped_normal(const world::Material& material, const Tangents& along, 
     return unit_or(along.tangent * x + along.bitangent * y + smooth * (texel.z * 2.0f - 1.0f), smooth);
 }
 
-// `look_up` gives a texture's value there, 1 for none.
-template <class LookUp>
-void add_layers(const world::Material& material, const Tangents& along, const LookUp& look_up,
+void add_layers(const world::Material& material, const Tangents& along, const Texels& texels,
                 ShadingPoint& point) {
     using Slot = world::TextureSlot;
     const world::Layers& layers = material.layers;
-    point.specular = material.specular * look_up(layers.specular_texture, Slot::Specular).w;
-    point.specular_color =
-        layers.specular_color * glm::vec3(look_up(layers.specular_color_texture, Slot::SpecularColor));
-    point.coat = layers.coat * look_up(layers.coat_texture, Slot::Coat).x;
-    point.coat_roughness =
-        layers.coat_roughness * look_up(layers.coat_roughness_texture, Slot::CoatRoughness).y;
-    point.sheen_color = layers.sheen_color * glm::vec3(look_up(layers.sheen_color_texture, Slot::SheenColor));
-    point.sheen_roughness =
-        layers.sheen_roughness * look_up(layers.sheen_roughness_texture, Slot::SheenRoughness).w;
+    point.specular = material.specular * texels[Slot::Specular].w;
+    point.specular_color = layers.specular_color * glm::vec3(texels[Slot::SpecularColor]);
+    point.coat = layers.coat * texels[Slot::Coat].x;
+    point.coat_roughness = layers.coat_roughness * texels[Slot::CoatRoughness].y;
+    point.sheen_color = layers.sheen_color * glm::vec3(texels[Slot::SheenColor]);
+    point.sheen_roughness = layers.sheen_roughness * texels[Slot::SheenRoughness].w;
     if (!(layers.anisotropy > 0.0f)) return;
     glm::vec2 way(1.0f, 0.0f);
     point.anisotropy = layers.anisotropy;
     if (layers.anisotropy_texture != world::kNoIndex) {
-        const glm::vec4 texel = look_up(layers.anisotropy_texture, Slot::Anisotropy);
+        const glm::vec4 texel = texels[Slot::Anisotropy];
         way = {texel.x * 2.0f - 1.0f, texel.y * 2.0f - 1.0f};
         point.anisotropy *= texel.z;
     }
@@ -143,9 +138,8 @@ ShadingPoint shading_point(const SceneView& view, const rc::Ray& ray, const rc::
     point.surface = view.snapshot.scene->surface(hit);
     point.material = &material;
     point.part = hit.instance;
-    const bool has_uvs =
-        !mesh.uvs.empty() &&
-        (view.prepared.has_textures[mesh.materials[hit.primitive]] != 0 || material.has_layers);
+    const MaterialTextures& textures = view.prepared.material_textures[mesh.materials[hit.primitive]];
+    const bool has_uvs = !mesh.uvs.empty() && (textures.count > 0 || material.has_layers);
     const HitTriangle corners = corners_of(view, mesh, hit, to_world, has_uvs);
     glm::vec3 normal = smooth_normal(view, mesh, hit, corners, normal_matrix(to_world), point.surface.normal);
 
@@ -155,28 +149,25 @@ ShadingPoint shading_point(const SceneView& view, const rc::Ray& ray, const rc::
     point.is_entering = glm::dot(direction, outward) <= 0.0f;
     point.geometric = point.is_entering ? outward : -outward;
 
-    const Footprint footprint = has_uvs ? footprint_of(uv_gradients(corners), direction, outward, cone_width) : Footprint{};
+    const Texels texels =
+        has_uvs ? look_up(view.prepared.textures, material, textures, {corners.uv, uv_gradients(corners)},
+                          {direction, outward, cone_width}, max_taps)
+                : Texels();
     using Slot = world::TextureSlot;
-    const auto look_up = [&](std::uint32_t texture, Slot slot) {
-        if (texture == world::kNoIndex || !has_uvs) return glm::vec4(1.0f);
-        return view.prepared.textures[texture].sample(uv_of(material, slot, corners.uv),
-                                                      footprint_of(material, slot, footprint), max_taps);
-    };
-    const glm::vec4 base = material.base_color * look_up(material.base_color_texture, Slot::BaseColor);
-    const glm::vec4 rough_metal = look_up(material.metallic_roughness_texture, Slot::MetallicRoughness);
+    const glm::vec4 base = material.base_color * texels[Slot::BaseColor];
+    const glm::vec4 rough_metal = texels[Slot::MetallicRoughness];
     point.base_color = glm::vec3(base);
     point.alpha = base.w;
     point.roughness = material.roughness * rough_metal.y;
     point.metallic = material.metallic * rough_metal.z;
-    point.emission = material.emission * glm::vec3(look_up(material.emission_texture, Slot::Emission));
+    point.emission = material.emission * glm::vec3(texels[Slot::Emission]);
     point.specular = material.specular;
     point.smooth = facing_eye(point.is_entering ? normal : -normal, -direction);
     const bool has_map = material.normal_texture != world::kNoIndex && has_uvs;
     if (has_map || material.has_layers) {
         const Tangents along = tangents_at(mesh, corners, to_world, normal);
-        if (material.has_layers) add_layers(material, along, look_up, point);
-        if (has_map)
-            normal = mapped_normal(material, along, normal, look_up(material.normal_texture, Slot::Normal));
+        if (material.has_layers) add_layers(material, along, texels, point);
+        if (has_map) normal = mapped_normal(material, along, normal, texels[Slot::Normal]);
     }
     point.normal = facing_eye(point.is_entering ? normal : -normal, -direction);
     return point;
@@ -208,8 +199,8 @@ Clearness clearness(const SceneView& view, const rc::Hit& hit) {
 
     glm::vec4 base = material.base_color;
     if (material.base_color_texture != world::kNoIndex && !mesh.uvs.empty()) {
-        base *= view.prepared.textures[material.base_color_texture].sample(
-            uv_of(material, world::TextureSlot::BaseColor, corners.uv), {});
+        base *= view.prepared.textures[material.base_color_texture].at(
+            place_of(material, world::TextureSlot::BaseColor, {corners.uv, {}}).uv);
     }
     float covered = 1.0f;
     if (material.alpha_mode == world::AlphaMode::Mask) covered = base.w < material.alpha_cutoff ? 0.0f : 1.0f;

@@ -39,7 +39,7 @@ struct ShadingPoint {
 // `cone_width`: of the pixel's cone where the ray ends, metres; `max_taps`: of each texture. Precondition: `hit` is a hit
 // of the snapshot's scene.
 [[nodiscard]] ShadingPoint shading_point(const SceneView& view, const rc::Ray& ray, const rc::Hit& hit,
-                                         float cone_width, float max_taps = kMostTaps);
+                                         float cone_width, float max_taps = static_cast<float>(kMostTaps));
 
 // Tells the processor which memory shading_point() is going to read for this hit: in a scene of a million triangles each
 // of half a dozen arrays is a wait of its own. First for a hit that is dealt with some hits later, second a little before

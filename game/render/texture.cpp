@@ -3,8 +3,6 @@
 #include "base/contracts.h"
 #include "base/det_math.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -57,7 +55,8 @@ std::uint16_t* MipTexture::Mip::texel(int x, int y) {
     return rgba.data() + 4 * (block * kBlockSide * kBlockSide + within);
 }
 
-MipTexture::MipTexture(const world::Texture& texture, Encoding encoding) {
+MipTexture::MipTexture(const world::Texture& texture, Encoding encoding)
+    : size_(static_cast<float>(texture.width), static_cast<float>(texture.height)) {
     EXPECTS(texture.width >= 1 && texture.height >= 1);
     const auto& rgb = encoding == Encoding::Srgb ? kTables.from_srgb : kTables.unit;
     Mip whole(texture.width, texture.height);
@@ -101,38 +100,25 @@ MipTexture::Mip MipTexture::halved(Mip& big) {
     return small;
 }
 
-glm::vec4 MipTexture::sample(glm::vec2 uv, const Footprint& footprint, float max_taps) const {
-    // Far outside, texel coordinates mean nothing; nor do those of a NaN.
+TapQuery MipTexture::query(std::size_t fine) const {
+    return {.levels = &pairs_[fine],
+            .fine = mips_[fine].rgba.data(),
+            .coarse = mips_[std::min(fine + 1, mips_.size() - 1)].rgba.data(),
+            .blend = 0.0f,
+            .uv = {},
+            .step = {},
+            .taps = 1};
+}
+
+glm::vec4 MipTexture::at(glm::vec2 uv) const {
     constexpr float kFarthest = 1e6f;
     if (!(std::abs(uv.x) < kFarthest) || !(std::abs(uv.y) < kFarthest)) uv = glm::vec2(0.0f);
-    const glm::vec2 size(static_cast<float>(mips_[0].width), static_cast<float>(mips_[0].height));
-    const float major = glm::length(footprint.major * size);
-    const float minor = glm::length(footprint.minor * size);
-
-    // As many taps along the long axis as make each about round; what is left over is blurred away.
-    const float wanted = std::ceil(major / std::max(minor, 1.0f));
-    const float taps = wanted > 1.0f && major < kFarthest ? std::min(wanted, max_taps) : 1.0f;
-    const float width = std::max(minor, major / taps);
-    const float level = width > 1.0f ? std::log2(width) : 0.0f;
-    const float clamped = std::min(level, static_cast<float>(level_count() - 1));
-    const auto fine = static_cast<std::size_t>(clamped);
-
-    TapQuery query{.levels = &pairs_[fine],
-                   .fine = mips_[fine].rgba.data(),
-                   .coarse = mips_[std::min(fine + 1, mips_.size() - 1)].rgba.data(),
-                   .blend = clamped - static_cast<float>(fine),
-                   .uv = {uv.x, uv.y},
-                   .taps = static_cast<int>(taps)};
-    if (query.taps > 1) {
-        const glm::vec2 step = footprint.major / taps, first = uv + step * (0.5f - 0.5f * taps);
-        query.step[0] = step.x;
-        query.step[1] = step.y;
-        query.uv[0] = first.x;
-        query.uv[1] = first.y;
-    }
-    glm::vec4 mean;
-    average_taps(query, &mean.x);
-    return mean;
+    TapQuery one = query(0);
+    one.uv[0] = uv.x;
+    one.uv[1] = uv.y;
+    glm::vec4 value;
+    average_taps(&one, 1, &value.x);
+    return value;
 }
 
 }  // namespace gh::render

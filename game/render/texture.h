@@ -1,7 +1,7 @@
-// render/texture.h - textures as a ray sees them: blurred to just the patch of surface its pixel covers.
+// render/texture.h - a texture and smaller copies of it, each half as large as the one before: what rays look up
+// (texture_lookups.h).
 //
 // Memory    eight thirds of the level's own bytes: 16 bits of linear light a channel, in blocks of 4x4 texels.
-// Cost      8 texels a tap (texture_taps.h); one tap face on, up to 8 along the stretched side at grazing angles.
 // Same bits pure; averages are made in index order.
 #pragma once
 
@@ -19,24 +19,17 @@ namespace gh::render {
 
 enum class Encoding : std::uint8_t { Srgb, Linear };  // of red, green and blue; alpha is always linear
 
-// The patch of texture under one pixel: two half-axes of an ellipse, in texture units (1 is the whole side).
-struct Footprint {
-    glm::vec2 major{0.0f};
-    glm::vec2 minor{0.0f};
-};
-
-inline constexpr float kMostTaps = 8.0f;
-
 class MipTexture {
   public:
     MipTexture(const world::Texture& texture, Encoding encoding);
 
-    // Linear values at `uv` (v runs down), averaged over the footprint with at most `max_taps` taps: what is longer is
-    // blurred across as well. A uv that is not finite counts as (0, 0).
-    [[nodiscard]] glm::vec4 sample(glm::vec2 uv, const Footprint& footprint,
-                                   float max_taps = kMostTaps) const;
+    // Linear values at `uv` (v runs down) of the finest level. A uv that is not finite counts as (0, 0).
+    [[nodiscard]] glm::vec4 at(glm::vec2 uv) const;
 
+    [[nodiscard]] glm::vec2 size() const { return size_; }  // texels
     [[nodiscard]] int level_count() const { return static_cast<int>(mips_.size()); }
+    // Of a level and the next coarser one (the last twice): one tap at the origin, all of the fine one.
+    [[nodiscard]] TapQuery query(std::size_t fine) const;
 
   private:
     struct Mip {
@@ -52,6 +45,7 @@ class MipTexture {
     };
     [[nodiscard]] static Mip halved(Mip& big);
 
+    glm::vec2 size_;
     std::vector<Mip> mips_;
     std::vector<MipPair> pairs_;  // every level and the next
 };

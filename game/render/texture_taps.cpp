@@ -1,5 +1,7 @@
 #include "render/texture_taps.h"
 
+#include <hwy/cache_control.h>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/texture_taps.cpp"
 #include <hwy/foreach_target.h>
@@ -16,42 +18,91 @@ using Half = hn::Rebind<std::uint16_t, F>;
 using Floats = hn::Vec<F>;
 using Ints = hn::Vec<I>;
 
-// For one tap: where the two texels of each axis lie in memory, and how far the place is from the first to the second.
-struct Place {
-    HWY_ALIGN std::int32_t first[4], second[4];
-    HWY_ALIGN float share[4];
+using Wide = hn::CappedTag<float, 2 * kMostTaps>;
+using WideInts = hn::RebindToSigned<Wide>;
+using Spread = hn::Vec<Wide>;
+using SpreadInts = hn::Vec<WideInts>;
+
+constexpr std::size_t kAhead = 16;  // queries whose memory is asked for
+
+// Of one query, number 2 * tap + level: where the four texels around the place lie in memory, and how far the place is
+// from the first to the last.
+struct Places {
+    HWY_ALIGN std::int32_t left_top[2 * kMostTaps], right_top[2 * kMostTaps];
+    HWY_ALIGN std::int32_t left_bottom[2 * kMostTaps], right_bottom[2 * kMostTaps];
+    HWY_ALIGN float across[2 * kMostTaps], down[2 * kMostTaps];
 };
 
-// Brings a coordinate into [0, 1].
-static HWY_INLINE float folded(float t, Edge edge) {
-    const auto floor = [](float x) {
-        const auto whole = static_cast<float>(static_cast<std::int32_t>(x));
-        return whole > x ? whole - 1.0f : whole;
-    };
-    if (edge == Edge::Repeat) return t - floor(t);
-    if (edge == Edge::Clamp) return t < 0.0f ? 0.0f : t > 1.0f ? 1.0f : t;
-    const float back = t - 2.0f * floor(0.5f * t);
-    return back <= 1.0f ? back : 2.0f - back;
+// Of one axis.
+struct Neighbours {
+    SpreadInts first, second;  // offsets in texels
+    Spread share;
+};
+
+// A level's number for lanes that are now the fine one's and now the coarse one's.
+template <class D, class T>
+static HWY_INLINE hn::Vec<D> by_turns(D d, const T (&number)[4], std::size_t i) {
+    return hn::LoadDup128(d, number + (hn::MaxLanes(d) == 1 ? i % 2 : 0));
 }
 
-static HWY_INLINE Ints offset_of(Ints texel, const MipPair& levels, std::size_t i) {
-    const Ints block = hn::ShiftRight<2>(texel), within = hn::And(texel, hn::Set(I(), kBlockSide - 1));
-    return hn::Add(hn::Mul(block, hn::Load(I(), levels.block_step + i)),
-                   hn::Mul(within, hn::Load(I(), levels.texel_step + i)));
+// Brings coordinates into [0, 1].
+static HWY_INLINE Spread folded(Spread t, Edge edge) {
+    const Wide d;
+    if (edge == Edge::Repeat) return hn::Sub(t, hn::Floor(t));
+    const Spread one = hn::Set(d, 1.0f), zero = hn::Zero(d);
+    if (edge == Edge::Clamp)
+        return hn::IfThenElse(hn::Gt(t, one), one, hn::IfThenElse(hn::Lt(t, zero), zero, t));
+    const Spread two = hn::Set(d, 2.0f);
+    const Spread back = hn::Sub(t, hn::Mul(two, hn::Floor(hn::Mul(hn::Set(d, 0.5f), t))));
+    return hn::IfThenElse(hn::Le(back, one), back, hn::Sub(two, back));
 }
 
-static HWY_INLINE void find_place(const MipPair& levels, const float (&uv)[4], Place& place) {
-    for (std::size_t i = 0; i < 4; i += hn::Lanes(F())) {
-        const Floats at =
-            hn::Sub(hn::Mul(hn::Load(F(), uv + i), hn::Load(F(), levels.size + i)), hn::Set(F(), 0.5f));
-        const Floats floor = hn::Floor(at);
-        const Ints low = hn::ConvertTo(I(), floor), last = hn::Load(I(), levels.last + i);
-        const Ints high = hn::Add(low, hn::Set(I(), 1));
-        const Ints first = hn::IfThenElse(hn::Lt(low, hn::Zero(I())), hn::Load(I(), levels.below + i), low);
-        const Ints second = hn::IfThenElse(hn::Gt(high, last), hn::Load(I(), levels.above + i), high);
-        hn::Store(offset_of(hn::Min(first, last), levels, i), I(), place.first + i);
-        hn::Store(offset_of(second, levels, i), I(), place.second + i);
-        hn::Store(hn::Sub(at, floor), F(), place.share + i);
+static HWY_INLINE SpreadInts offset_of(SpreadInts texel, const MipAxis& axis, std::size_t i) {
+    const WideInts d;
+    const SpreadInts block = hn::ShiftRight<2>(texel), within = hn::And(texel, hn::Set(d, kBlockSide - 1));
+    return hn::Add(hn::Mul(block, by_turns(d, axis.block_step, i)),
+                   hn::Mul(within, hn::Set(d, axis.texel_step)));
+}
+
+static HWY_INLINE Neighbours neighbours(const MipAxis& axis, float first_tap, float step, std::size_t i) {
+    HWY_ALIGN static constexpr float kTap[2 * kMostTaps] = {0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7};
+    const Wide d;
+    const WideInts ints;
+    const Spread t = hn::Add(hn::Set(d, first_tap), hn::Mul(hn::Set(d, step), hn::Load(d, kTap + i)));
+    const Spread at = hn::Sub(hn::Mul(folded(t, axis.edge), by_turns(d, axis.size, i)), hn::Set(d, 0.5f));
+    const Spread floor = hn::Floor(at);
+    const SpreadInts low = hn::ConvertTo(ints, floor), high = hn::Add(low, hn::Set(ints, 1));
+    const SpreadInts last = by_turns(ints, axis.last, i);
+    const SpreadInts first = hn::IfThenElse(hn::Lt(low, hn::Zero(ints)), by_turns(ints, axis.below, i), low);
+    const SpreadInts second = hn::IfThenElse(hn::Gt(high, last), by_turns(ints, axis.above, i), high);
+    return {offset_of(hn::Min(first, last), axis, i), offset_of(second, axis, i), hn::Sub(at, floor)};
+}
+
+static HWY_INLINE void find_places(const TapQuery& query, Places& places) {
+    const Wide d;
+    const WideInts ints;
+    const auto count = 2 * static_cast<std::size_t>(query.taps);
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+        const Neighbours u = neighbours(query.levels->axis[0], query.uv[0], query.step[0], i);
+        const Neighbours v = neighbours(query.levels->axis[1], query.uv[1], query.step[1], i);
+        hn::Store(hn::Add(u.first, v.first), ints, places.left_top + i);
+        hn::Store(hn::Add(u.second, v.first), ints, places.right_top + i);
+        hn::Store(hn::Add(u.first, v.second), ints, places.left_bottom + i);
+        hn::Store(hn::Add(u.second, v.second), ints, places.right_bottom + i);
+        hn::Store(u.share, d, places.across + i);
+        hn::Store(v.share, d, places.down + i);
+    }
+}
+
+static HWY_INLINE void fetch(const std::uint16_t* rgba, std::int32_t texel) {
+    hwy::Prefetch(rgba + 4 * static_cast<std::size_t>(texel));
+}
+
+static HWY_INLINE void fetch_texels(const TapQuery& query, const Places& places) {
+    for (std::size_t i = 0; i < 2 * static_cast<std::size_t>(query.taps); i += 2) {
+        fetch(query.fine, places.left_top[i]);
+        fetch(query.fine, places.right_bottom[i]);
+        fetch(query.coarse, places.left_top[i + 1]);
     }
 }
 
@@ -64,35 +115,41 @@ static HWY_INLINE Floats mixed(Floats a, Floats b, float share) {
     return hn::Add(hn::Mul(a, hn::Set(F(), 1.0f - share)), hn::Mul(b, hn::Set(F(), share)));
 }
 
-static HWY_INLINE Floats bilinear(const std::uint16_t* rgba, const Place& place, int axis,
+static HWY_INLINE Floats bilinear(const std::uint16_t* rgba, const Places& places, std::size_t i,
                                   std::size_t channel) {
-    const std::int32_t left = place.first[axis], right = place.second[axis];
-    const std::int32_t top = place.first[axis + 1], bottom = place.second[axis + 1];
-    const float x = place.share[axis], y = place.share[axis + 1];
-    const Floats above = mixed(channels(rgba, left + top, channel), channels(rgba, right + top, channel), x);
-    const Floats below =
-        mixed(channels(rgba, left + bottom, channel), channels(rgba, right + bottom, channel), x);
-    return mixed(above, below, y);
+    const Floats above = mixed(channels(rgba, places.left_top[i], channel),
+                               channels(rgba, places.right_top[i], channel), places.across[i]);
+    const Floats below = mixed(channels(rgba, places.left_bottom[i], channel),
+                               channels(rgba, places.right_bottom[i], channel), places.across[i]);
+    return mixed(above, below, places.down[i]);
 }
 
-static void average(const TapQuery& query, float rgba[4]) {
-    const MipPair& levels = *query.levels;
-    HWY_ALIGN float sum[4] = {};
-    Place place;
-    for (int tap = 0; tap < query.taps; ++tap) {
-        const auto number = static_cast<float>(tap);
-        const float u = folded(query.uv[0] + query.step[0] * number, levels.edge[0]);
-        const float v = folded(query.uv[1] + query.step[1] * number, levels.edge[1]);
-        HWY_ALIGN const float uv[4] = {u, v, u, v};
-        find_place(levels, uv, place);
-        for (std::size_t c = 0; c < 4; c += hn::Lanes(F())) {
-            Floats light = bilinear(query.fine, place, 0, c);
-            if (query.blend != 0.0f) light = mixed(light, bilinear(query.coarse, place, 2, c), query.blend);
-            hn::Store(hn::Add(hn::Load(F(), sum + c), light), F(), sum + c);
-        }
-    }
+static HWY_INLINE void average_at(const TapQuery& query, const Places& places, float* rgba) {
     const float scale = 1.0f / (65535.0f * static_cast<float>(query.taps));
-    for (int c = 0; c < 4; ++c) rgba[c] = sum[c] * scale;
+    for (std::size_t c = 0; c < 4; c += hn::Lanes(F())) {
+        Floats sum = hn::Zero(F());
+        for (std::size_t i = 0; i < 2 * static_cast<std::size_t>(query.taps); i += 2) {
+            Floats light = bilinear(query.fine, places, i, c);
+            if (query.blend != 0.0f)
+                light = mixed(light, bilinear(query.coarse, places, i + 1, c), query.blend);
+            sum = hn::Add(sum, light);
+        }
+        hn::StoreU(hn::Mul(sum, hn::Set(F(), scale)), F(), rgba + c);
+    }
+}
+
+// The memory of all is asked for before the first is read.
+static void average(const TapQuery* queries, std::size_t count, float* rgba) {
+    Places places[kAhead];
+    for (std::size_t begin = 0; begin < count; begin += kAhead) {
+        const std::size_t group = count - begin < kAhead ? count - begin : kAhead;
+        for (std::size_t i = 0; i < group; ++i) {
+            find_places(queries[begin + i], places[i]);
+            if (group > 1) fetch_texels(queries[begin + i], places[i]);
+        }
+        for (std::size_t i = 0; i < group; ++i)
+            average_at(queries[begin + i], places[i], rgba + 4 * (begin + i));
+    }
 }
 
 }  // namespace gh::render::HWY_NAMESPACE
@@ -105,24 +162,26 @@ HWY_EXPORT(average);
 
 MipPair mip_pair(const MipView& fine, const MipView& coarse, Edge edge_u, Edge edge_v) {
     MipPair pair;
-    pair.edge[0] = edge_u;
-    pair.edge[1] = edge_v;
-    for (int i = 0; i < 4; ++i) {
-        const MipView& mip = i < 2 ? fine : coarse;
-        const bool is_v = i % 2 == 1, repeats = pair.edge[i % 2] == Edge::Repeat;
-        const int size = is_v ? mip.height : mip.width;
-        pair.size[i] = static_cast<float>(size);
-        pair.last[i] = size - 1;
-        pair.below[i] = repeats ? size - 1 : 0;
-        pair.above[i] = repeats ? 0 : size - 1;
-        pair.block_step[i] = kBlockSide * kBlockSide * (is_v ? mip.blocks_across : 1);
-        pair.texel_step[i] = is_v ? kBlockSide : 1;
+    for (int a = 0; a < 2; ++a) {
+        MipAxis& axis = pair.axis[a];
+        axis.edge = a == 0 ? edge_u : edge_v;
+        axis.texel_step = a == 0 ? 1 : kBlockSide;
+        const bool repeats = axis.edge == Edge::Repeat;
+        for (int i = 0; i < 4; ++i) {
+            const MipView& mip = i % 2 == 0 ? fine : coarse;
+            const int size = a == 0 ? mip.width : mip.height;
+            axis.size[i] = static_cast<float>(size);
+            axis.last[i] = size - 1;
+            axis.below[i] = repeats ? size - 1 : 0;
+            axis.above[i] = repeats ? 0 : size - 1;
+            axis.block_step[i] = kBlockSide * kBlockSide * (a == 0 ? 1 : mip.blocks_across);
+        }
     }
     return pair;
 }
 
-void average_taps(const TapQuery& query, float rgba[4]) {
-    HWY_DYNAMIC_DISPATCH(average)(query, rgba);
+void average_taps(const TapQuery* queries, std::size_t count, float* rgba) {
+    HWY_DYNAMIC_DISPATCH(average)(queries, count, rgba);
 }
 
 }  // namespace gh::render

@@ -132,7 +132,9 @@ void TileTracer::shade_generation(FrameStats& stats) {
     trace_shadows(stats);
     now_.swap(next_);
     next_.clear();
-    if (frame_.guide != nullptr) std::erase_if(now_, [](const PathRay& path) { return !path.is_leading; });
+    if (frame_.guide == nullptr) return;
+    colors_.flush();
+    std::erase_if(now_, [](const PathRay& path) { return !path.is_leading; });
 }
 
 void TileTracer::trace_shadows(FrameStats& stats) {

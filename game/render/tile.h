@@ -6,6 +6,7 @@
 #include "render/film.h"
 #include "render/frame_light.h"
 #include "render/gloss.h"
+#include "render/guide_colors.h"
 #include "render/guide_point.h"
 #include "render/lamp_looks.h"
 #include "render/lattice.h"
@@ -43,7 +44,7 @@ struct Frame {
 // Scratch memory for one thread; trace() may be called for any number of tiles, one after the other.
 class TileTracer {
   public:
-    explicit TileTracer(const Frame& frame) : frame_(frame) {}
+    explicit TileTracer(const Frame& frame) : frame_(frame), colors_(frame.settings.texture_taps) {}
 
     // Fills the tile's pixels of `pixels` (the whole picture's).
     void trace(int tile_x, int tile_y, std::vector<PixelLight>& pixels, FrameStats& stats);
@@ -158,6 +159,7 @@ class TileTracer {
     std::vector<std::uint16_t> not_blended_;
     TileLattice across_, down_;
     GuideTriangles triangles_;
+    GuideColors colors_;  // of the guide's surfaces
 };
 
 }  // namespace gh::render

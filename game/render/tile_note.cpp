@@ -29,17 +29,18 @@ void TileTracer::note_surface(const PathRay& path, const ShadingPoint& at) {
 bool TileTracer::note_plain(const PathRay& path, const rc::Hit& hit) {
     const GuideTriangle& triangle = triangles_.of(frame_.view, hit);
     if (!triangle.is_plain) return false;
-    const PlainPoint plain =
-        plain_point(frame_.view, triangle, path.ray, hit, path.cone_width * frame_.settings.texture_blur,
-                    frame_.settings.texture_taps);
+    const GuidePoint point = plain_point(frame_.view, triangle, path.ray, hit);
+    note_thing(path, point);
+    glm::vec3 weight(0.0f);
     if (frame_.light.emission_on[hit.instance] != 0) {
         const bool is_bulb = frame_.view.prepared.parts[hit.instance].lamp != world::kNoIndex;
-        glm::vec3 weight = path.weight * (is_bulb ? path.bulb_share : 1.0f);
+        weight = path.weight * (is_bulb ? path.bulb_share : 1.0f);
         if (const world::Material* glass = path.media.top(); glass != nullptr)
-            weight *= absorbed(*glass, glm::distance(path.from, plain.guide.position));
-        pixels_[path.pixel].clean += weight * plain.emission;
+            weight *= absorbed(*glass, glm::distance(path.from, point.position));
     }
-    note_thing(path, plain.guide);
+    colors_.add(frame_.view, triangle, hit,
+                {path.ray.direction, point.geometric, path.cone_width * frame_.settings.texture_blur},
+                {&frame_.guide->albedo[picture_index(path.pixel)], &pixels_[path.pixel].clean, weight});
     return true;
 }
 
