@@ -26,7 +26,7 @@ struct BinaryTree {
 };
 
 struct SplitCosts {
-    std::uint32_t max_leaf = 8;
+    std::uint32_t max_leaf = kernel::kMaxCorners / 3;  // fit into one whatever they share
     float step = 0.7f;  // of a binary node; collapse.cpp puts together again what is not worth a wide one
     // Of one whose surface is more than this share of the root's: so many rays come by that it stays in the caches, and
     // there are few of them. What is cut there ends the large leaves that nearly every ray would look into for nothing.

@@ -24,8 +24,7 @@ float Blas::sah_cost() const {
 
 std::size_t Blas::byte_size() const {
     const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-    return sizeof(Data) + bytes(data_->nodes) + bytes(data_->leaves) + data_->triangles.byte_size() +
-           bytes(data_->leaf_of_primitive);
+    return sizeof(Data) + bytes(data_->nodes) + bytes(data_->leaves) + bytes(data_->leaf_of_primitive);
 }
 
 float Blas::refit_degradation() const {

@@ -1,5 +1,6 @@
 #include "raycore/blas_file.h"
 
+#include "collapse.h"
 #include "contract.h"
 #include "data.h"
 #include "fill_leaves.h"
@@ -17,11 +18,11 @@ namespace rc {
 namespace {
 
 constexpr char kMagic[8] = {'r', 'a', 'y', 'c', 'o', 'r', 'e', '\n'};
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 
 // Whatever the meaning of a node's bytes depends on; another layout with these same sizes needs another kVersion.
-constexpr std::uint32_t kLayout = static_cast<std::uint32_t>(sizeof(kernel::WideNode)) << 16 |
-                                  kernel::kWidth << 8 | kernel::kWordsPerTriangle;
+constexpr std::uint32_t kLayout =
+    static_cast<std::uint32_t>(sizeof(kernel::WideNode)) << 16 | kernel::kWidth << 8 | kernel::kMaxCorners;
 
 struct Header {
     char magic[8];
@@ -67,19 +68,31 @@ std::uint64_t hash_of(const MeshView& mesh) {
     return hash(positions, mesh.triangles.data(), mesh.triangles.size_bytes());
 }
 
-std::vector<std::uint32_t> items_of(const Blas::Data& blas) {
-    std::vector<std::uint32_t> items;
-    const auto take = [&](std::uint32_t code) {
-        const LeafRange leaf = leaf_range(code);
-        items.resize(std::max<std::size_t>(items.size(), leaf.first + leaf.count));
-        for (std::uint32_t lane = 0; lane < leaf.count; ++lane)
-            items[leaf.first + lane] = primitive_in(blas.leaves.data(), leaf, lane);
+// A tree whose leaves are ranges of items, as collapse.h has it: nothing of how a block is laid out.
+struct PlainTree {
+    Unfilled<kernel::WideNode> nodes;
+    std::uint32_t root = kernel::kEmptyTree;
+    Unfilled<std::uint32_t> items;
+};
+
+PlainTree plain_tree_of(const Blas::Data& blas) {
+    PlainTree tree{blas.nodes, blas.root, {}};
+    const auto plain = [&](std::uint32_t code) {
+        const Leaf leaf(blas.leaves.data(), code);
+        const ItemRange range{static_cast<std::uint32_t>(tree.items.size()), leaf.size()};
+        for (std::uint32_t i = 0; i < leaf.size(); ++i) tree.items.push_back(leaf.primitive(i));
+        return range_code(range);
     };
-    if (blas.root != kernel::kEmptyTree && (blas.root & kernel::kLeafBit) != 0) take(blas.root);
-    for (const kernel::WideNode& node : blas.nodes)
-        for (int lane = 0; lane < kernel::kWidth; ++lane)
-            if (node.layers[lane] != 0 && (node.child[lane] & kernel::kLeafBit) != 0) take(node.child[lane]);
-    return items;
+    if (blas.root != kernel::kEmptyTree && (blas.root & kernel::kLeafBit) != 0) tree.root = plain(blas.root);
+    for (kernel::WideNode& node : tree.nodes) {
+        for (int lane = 0; lane < kernel::kWidth; ++lane) {
+            if (node.layers[lane] == 0)
+                node.child[lane] = range_code({0, 1});
+            else if (node.child[lane] & kernel::kLeafBit)
+                node.child[lane] = plain(node.child[lane]);
+        }
+    }
+    return tree;
 }
 
 // Whether the corners in the leaves are the mesh's, where it has any to compare.
@@ -89,12 +102,11 @@ bool is_built_from(const Blas::Data& blas, const MeshView& mesh) {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const std::uint32_t code = blas.leaf_of_primitive[i];
         if (fault_of(mesh.positions, mesh.triangles[i]) != TriangleFault::None || code == kNone) continue;
-        const LeafRange leaf = leaf_range(code);
-        for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
-            if (primitive_in(blas.leaves.data(), leaf, lane) != i) continue;
+        const Leaf leaf(blas.leaves.data(), code);
+        for (std::uint32_t at = 0; at < leaf.size(); ++at) {
+            if (leaf.primitive(at) != i) continue;
             for (std::uint32_t c = 0; c < 3; ++c)
-                if (corner_in(blas.leaves.data(), leaf, lane, c) != mesh.positions[mesh.triangles[i][c]])
-                    return false;
+                if (leaf.corner(at, c) != mesh.positions[mesh.triangles[i][c]]) return false;
         }
     }
     return true;
@@ -132,16 +144,16 @@ class TreeCheck {
     }
 
     [[nodiscard]] bool is_inside(std::uint32_t code) const {
-        const LeafRange leaf = leaf_range(code);
-        return leaf.first < items_.size() && leaf.count <= items_.size() - leaf.first;
+        const ItemRange range = range_of(code);
+        return range.first < items_.size() && range.count <= items_.size() - range.first;
     }
 
     bool cover(std::uint32_t code) {
         if (!is_inside(code)) return false;
-        const LeafRange leaf = leaf_range(code);
-        for (std::uint32_t k = 0; k < leaf.count; ++k) {
-            if (covered_[leaf.first + k]) return false;
-            covered_[leaf.first + k] = true;
+        const ItemRange range = range_of(code);
+        for (std::uint32_t k = 0; k < range.count; ++k) {
+            if (covered_[range.first + k]) return false;
+            covered_[range.first + k] = true;
         }
         return true;
     }
@@ -195,7 +207,7 @@ std::vector<std::byte> save_blas(const Blas& blas, const MeshView& mesh) {
     const bool fits = is_built_from(data, mesh);
     RC_EXPECTS(fits, "save_blas with the mesh the tree was built from");
     if (!fits) return {};
-    const std::vector<std::uint32_t> items = items_of(data);
+    const PlainTree tree = plain_tree_of(data);
     Header header{};
     std::memcpy(header.magic, kMagic, sizeof(kMagic));
     header.version = kVersion;
@@ -203,20 +215,21 @@ std::vector<std::byte> save_blas(const Blas& blas, const MeshView& mesh) {
     header.mesh_hash = hash_of(mesh);
     header.vertex_count = data.vertex_count;
     header.triangle_count = mesh.triangles.size();
-    header.node_count = data.nodes.size();
-    header.item_count = items.size();
-    header.root = data.root;
+    header.node_count = tree.nodes.size();
+    header.item_count = tree.items.size();
+    header.root = tree.root;
     header.can_refit = data.can_refit ? 1 : 0;
     header.cost_when_built = data.cost_when_built;
     header.cost = data.cost;
     header.bounds = data.bounds;
 
-    const std::size_t node_bytes = data.nodes.size() * sizeof(kernel::WideNode);
-    const std::size_t item_bytes = items.size() * sizeof(std::uint32_t);
+    const std::size_t node_bytes = tree.nodes.size() * sizeof(kernel::WideNode);
+    const std::size_t item_bytes = tree.items.size() * sizeof(std::uint32_t);
     std::vector<std::byte> bytes(sizeof(Header) + node_bytes + item_bytes);
     std::memcpy(bytes.data(), &header, sizeof(header));
-    if (node_bytes > 0) std::memcpy(bytes.data() + sizeof(Header), data.nodes.data(), node_bytes);
-    if (item_bytes > 0) std::memcpy(bytes.data() + sizeof(Header) + node_bytes, items.data(), item_bytes);
+    if (node_bytes > 0) std::memcpy(bytes.data() + sizeof(Header), tree.nodes.data(), node_bytes);
+    if (item_bytes > 0)
+        std::memcpy(bytes.data() + sizeof(Header) + node_bytes, tree.items.data(), item_bytes);
     header.content_hash = hash(kVersion, bytes.data() + kHashedFrom, bytes.size() - kHashedFrom);
     std::memcpy(bytes.data(), &header, sizeof(header));
     return bytes;
@@ -257,7 +270,7 @@ LoadedBlas load_blas(std::span<const std::byte> bytes, const MeshView& mesh) {
     data->cost = header.cost;
     data->bounds = header.bounds;
     data->leaf_of_primitive.assign(mesh.triangles.size(), kNone);
-    fill_leaves(*data, items, mesh);
+    if (!fill_leaves(*data, items, mesh)) return refuse("the saved tree contradicts itself");
     return {std::make_shared<Blas>(std::move(data)), {}};
 }
 

@@ -35,11 +35,12 @@ void grow_tree(Blas::Data& blas, const MeshView& mesh, BuildQuality quality) {
         collect_refs(mesh, quality == BuildQuality::High ? most_pieces_of(n) : n, blas.report);
     if (collected.refs.empty()) return;
     const BinaryTree binary = binary_tree_of(std::move(collected.refs), mesh, quality);
-    WideTree wide = collapse_blas(binary);
+    WideTree wide = collapse_blas(binary, mesh, blas.can_refit);
     blas.nodes = std::move(wide.nodes);
     blas.root = wide.root;
     blas.bounds = box_of(collected.bounds);
-    fill_leaves(blas, binary.items, mesh);
+    [[maybe_unused]] const bool is_filled = fill_leaves(blas, binary.items, mesh);
+    RC_EXPECTS(is_filled, "leaves whose corners fit into their blocks");
 }
 
 }  // namespace

@@ -122,22 +122,21 @@ class Search {
         }
         walk(
             view.blas.nodes, view.blas.root, frame, [](const kernel::WideNode&, int) { return true; },
-            [&](std::uint32_t item) { search_leaf(id, view.blas.leaves, leaf_range(item)); });
+            [&](std::uint32_t item) { search_leaf(id, Leaf(view.blas.leaves, item)); });
     }
 
-    void search_leaf(std::uint32_t id, const float* leaves, LeafRange leaf) {
+    void search_leaf(std::uint32_t id, const Leaf& leaf) {
         const glm::mat4x3& world_from_instance = scene_.instances[id].world_from_instance;
-        for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
+        for (std::uint32_t at = 0; at < leaf.size(); ++at) {
             cast::Corners corners;
             for (std::uint32_t c = 0; c < 3; ++c)
-                corners[c] =
-                    glm::dvec3(world_corner(world_from_instance, corner_in(leaves, leaf, lane, c))) - point_;
+                corners[c] = glm::dvec3(world_corner(world_from_instance, leaf.corner(at, c))) - point_;
             // Never nearer than its own box, rounding or not: what a tree's boxes cut off could not have won.
             const double least = box_distance(corners);
             if (is_beyond(least)) continue;
             cast::Closest closest = cast::closest_points(glm::dvec3(0.0), corners, glm::dvec3(0.0));
             closest.distance = std::max(closest.distance, least);
-            keep(closest, id, primitive_in(leaves, leaf, lane));
+            keep(closest, id, leaf.primitive(at));
         }
     }
 

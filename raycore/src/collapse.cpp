@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 namespace rc {
 
@@ -38,7 +39,7 @@ struct Plan {
 // What fills lanes that nobody needs: met by nothing, and sorted behind everything.
 constexpr BinaryNode kNowhere{{kInfinity, kInfinity, kInfinity}, 0, {-kInfinity, -kInfinity, -kInfinity}, 1};
 
-// `Leaves` says what a leaf costs, how many items may be put together in one, how it is named, what its lane's word is, and
+// `Leaves` says what a leaf costs, which items may be put together in one, how it is named, what its lane's word is, and
 // how a node's word comes from its lanes' and the number of nodes below it. Twice over the tree: upwards to find the cheapest
 // set of wide nodes and leaves, whose number tells every node its place, and downwards to write them.
 template <class Leaves>
@@ -112,7 +113,8 @@ class Collapse {
         plan.lefts[0] = plan.lefts[last];
         costs.area[0] = costs.area[last] + area_here + kSurfaceOfNode;
         costs.nodes[0] = sizes_[at] = 1 + costs.nodes[last];
-        plan.is_leaf = node.size() <= Leaves::kMost && as_leaf <= costs.area[0];
+        plan.is_leaf =
+            node.size() <= Leaves::kMost && as_leaf <= costs.area[0] && leaves_.fits(this->as_leaf(at));
         if (plan.is_leaf) {
             costs.area[0] = as_leaf;
             costs.nodes[0] = sizes_[at] = 0;
@@ -209,8 +211,24 @@ class Collapse {
 struct BlasLeaves {
     static constexpr std::uint32_t kMost = kernel::kWidth;
 
+    std::span<const std::uint32_t> items;
+    kernel::MeshArrays mesh;
+    bool by_vertex;  // corners are one only where refits could not part them
+    const kernel::BuildKernels& kernels;
+
     static float cost(std::uint32_t items) { return kLeaf + kItem * float(items); }
-    std::uint32_t code(const BinaryNode& leaf) const { return leaf_code(leaf.first, leaf.count); }
+    // By vertices first, which is asked sooner than places and mostly enough.
+    bool fits(const BinaryNode& leaf) const {
+        return leaf.count <= kAlwaysFit || fits(leaf, true) || (!by_vertex && fits(leaf, false));
+    }
+    bool fits(const BinaryNode& leaf, bool of_vertices) const {
+        kernel::SharedCorners shared;
+        kernels.share_corners(
+            {items.data(), static_cast<std::uint32_t>(items.size()), leaf.first, leaf.count}, mesh,
+            of_vertices, shared);
+        return shared.count <= kernel::kMaxCorners;
+    }
+    std::uint32_t code(const BinaryNode& leaf) const { return range_code({leaf.first, leaf.count}); }
     std::uint32_t word(const BinaryNode&) const { return 1; }
     std::uint32_t word_of_node(std::uint32_t, std::uint32_t nodes) const { return nodes; }
 };
@@ -221,6 +239,7 @@ struct TlasLeaves {
     const std::vector<std::uint32_t>& layers;
 
     static float cost(std::uint32_t) { return 0.0f; }
+    static bool fits(const BinaryNode&) { return true; }
     std::uint32_t code(const BinaryNode& leaf) const { return kernel::kLeafBit | items[leaf.first]; }
     std::uint32_t word(const BinaryNode& leaf) const { return layers[items[leaf.first]]; }
     std::uint32_t word_of_node(std::uint32_t words, std::uint32_t) const { return words; }
@@ -228,8 +247,8 @@ struct TlasLeaves {
 
 }  // namespace
 
-WideTree collapse_blas(const BinaryTree& tree) {
-    const BlasLeaves leaves;
+WideTree collapse_blas(const BinaryTree& tree, const MeshView& mesh, bool can_refit) {
+    const BlasLeaves leaves{tree.items, mesh_arrays_of(mesh), can_refit, active_build_kernels()};
     return Collapse(tree, leaves).run();
 }
 

@@ -16,16 +16,17 @@ namespace {
 constexpr std::uint32_t kParallelNodes = 256;
 constexpr std::size_t kCostBlock = 1024;
 
-float triangles_in(std::uint32_t leaf) {
-    return float(leaf_range(leaf).count);
+float triangles_in(const Blas::Data& blas, std::uint32_t leaf) {
+    return float(Leaf(blas.leaves.data(), leaf).size());
 }
 
 // 1 for a node, 1 for each triangle of a leaf, by half areas; unused lanes have none.
-double cost_of_lanes(const kernel::WideNode& node, const float (&half_areas)[kernel::kWidth]) {
+double cost_of_lanes(const Blas::Data& blas, const kernel::WideNode& node,
+                     const float (&half_areas)[kernel::kWidth]) {
     double sum = 0.0;
     for (int lane = 0; lane < kernel::kWidth; ++lane) {
         const std::uint32_t child = node.child[lane];
-        const float each = (child & kernel::kLeafBit) != 0 ? triangles_in(child) : 1.0f;
+        const float each = (child & kernel::kLeafBit) != 0 ? triangles_in(blas, child) : 1.0f;
         if (node.layers[lane] != 0) sum += double(half_areas[lane] * each);
     }
     return sum;
@@ -51,12 +52,9 @@ class Fitting {
         : blas_(blas), positions_(&positions[0].x), kernels_(active_build_kernels()) {}
 
     Fitted fit_leaf(std::uint32_t code) const {
-        const LeafRange leaf = leaf_range(code);
-        std::uint32_t triangles[3 * kernel::kWidth];
-        blas_.triangles.get(leaf.first, leaf.count, triangles);
         Fitted fitted;
-        kernels_.fit_block(blas_.leaves.data() + std::size_t{leaf.first} * kernel::kWordsPerTriangle,
-                           leaf.count, triangles, positions_, fitted.bounds, fitted.box);
+        kernels_.fit_block(blas_.leaves.data() + unit_of(code) * kernel::kWordsPerUnit, corners_of(code),
+                           positions_, fitted.bounds, fitted.box);
         return fitted;
     }
 
@@ -85,7 +83,7 @@ class Fitting {
         Fitted fitted;
         float half_areas[kernel::kWidth];
         kernels_.measure_lanes(node, fitted.box, half_areas);
-        fitted.cost = cost_of_lanes(node, half_areas);
+        fitted.cost = cost_of_lanes(blas_, node, half_areas);
         for (const Fitted& below : lanes) {
             build::grow(fitted.bounds, below.bounds);
             fitted.cost += below.cost;
@@ -125,7 +123,7 @@ void fit(Blas::Data& blas, std::span<const glm::vec3> positions) {
 
 float cost_of(const Blas::Data& blas) {
     if (blas.root == kernel::kEmptyTree) return 0.0f;
-    if (blas.root & kernel::kLeafBit) return triangles_in(blas.root);
+    if (blas.root & kernel::kLeafBit) return triangles_in(blas, blas.root);
     const kernel::BuildKernels& kernels = active_build_kernels();
     // Blocks of fixed size, added up in order: one sum for any thread count.
     std::vector<double> sums((blas.nodes.size() + kCostBlock - 1) / kCostBlock, 0.0);
@@ -135,7 +133,7 @@ float cost_of(const Blas::Data& blas) {
             GrowingBox box;
             float half_areas[kernel::kWidth];
             kernels.measure_lanes(blas.nodes[i], box, half_areas);
-            sums[block] += cost_of_lanes(blas.nodes[i], half_areas);
+            sums[block] += cost_of_lanes(blas, blas.nodes[i], half_areas);
         }
     });
     double sum = 0.0;

@@ -20,8 +20,10 @@ namespace rc {
 
 inline constexpr double kMostPieces = 1.3;  // refs a triangle, over the whole tree
 
+// No more than a mesh may have triangles: so many lie within reach of a leaf's name, each in a leaf of its own.
 [[nodiscard]] inline std::size_t most_pieces_of(std::size_t triangles) {
-    return std::max(triangles, static_cast<std::size_t>(kMostPieces * double(triangles)));
+    const auto pieces = static_cast<std::size_t>(kMostPieces * double(triangles));
+    return std::max(triangles, std::min(pieces, kMaxTriangles));
 }
 
 // `refs` become the tree's; not empty. Room for most_pieces_of them that was reserved before saves moving them.

@@ -59,12 +59,10 @@ std::array<glm::vec3, 3> Scene::triangle(std::uint32_t instance, std::uint32_t p
     const Blas::Data& blas = data_->instances[instance].blas->data();
     RC_EXPECTS(primitive < blas.leaf_of_primitive.size() && blas.leaf_of_primitive[primitive] != kNone,
                "a primitive that was not dropped at build");
-    const LeafRange leaf = leaf_range(blas.leaf_of_primitive[primitive]);
-    std::uint32_t lane = 0;
-    while (lane + 1 < leaf.count && primitive_in(blas.leaves.data(), leaf, lane) != primitive) ++lane;
-    const float* leaves = blas.leaves.data();
-    return {corner_in(leaves, leaf, lane, 0), corner_in(leaves, leaf, lane, 1),
-            corner_in(leaves, leaf, lane, 2)};
+    const Leaf leaf(blas.leaves.data(), blas.leaf_of_primitive[primitive]);
+    std::uint32_t at = 0;
+    while (at + 1 < leaf.size() && leaf.primitive(at) != primitive) ++at;
+    return {leaf.corner(at, 0), leaf.corner(at, 1), leaf.corner(at, 2)};
 }
 
 SurfacePoint Scene::surface(const Hit& hit) const {

@@ -60,14 +60,14 @@ void visit_instance(const Scene::Data& scene, std::uint32_t id, const Box& world
                 stack[top++] = node.child[std::countr_zero(hit)];
             continue;
         }
-        const LeafRange leaf = leaf_range(item);
-        for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
+        const Leaf leaf(blas.leaves, item);
+        for (std::uint32_t at = 0; at < leaf.size(); ++at) {
             std::array<glm::vec3, 3> p;
-            for (std::uint32_t c = 0; c < 3; ++c) p[c] = corner_in(blas.leaves, leaf, lane, c);
+            for (std::uint32_t c = 0; c < 3; ++c) p[c] = leaf.corner(at, c);
             const Box around{glm::min(p[0], glm::min(p[1], p[2])), glm::max(p[0], glm::max(p[1], p[2]))};
             if (!overlaps(around, box)) continue;
             for (glm::vec3& corner : p) corner = world_corner(world_from_instance, corner);
-            if (visit(id, primitive_in(blas.leaves, leaf, lane), p))
+            if (visit(id, leaf.primitive(at), p))
                 box = local_box(scene.views[id], world_from_instance, world_box);
         }
     }

@@ -79,6 +79,16 @@ void expect_all_qualities_true(const Mesh& mesh, std::uint64_t seed, int rays) {
     }
 }
 
+// Triangles of all leaves: more than the mesh has where some were cut.
+std::size_t pieces_in(const rc::Blas& blas) {
+    std::size_t pieces = 0;
+    for (const rc::kernel::WideNode& node : blas.data().nodes)
+        for (int lane = 0; lane < rc::kernel::kWidth; ++lane)
+            if (node.layers[lane] != 0 && (node.child[lane] & rc::kernel::kLeafBit) != 0)
+                pieces += rc::Leaf(blas.data().leaves.data(), node.child[lane]).size();
+    return pieces;
+}
+
 // Walls and beams across a room full of small things: boxes overlap wherever the large are kept whole.
 Mesh make_hall(Random& random, int small, int large) {
     Mesh hall = test::make_soup(random, static_cast<std::uint32_t>(small), 5.0f, 0.1f);
@@ -91,8 +101,7 @@ TEST(Builders, BladesAndBeamsAreMetWhateverTheTree) {
     Random random(11);
     const Mesh hall = make_hall(random, 600, 60);
     const auto high = rc::build_blas(hall.view(), {rc::BuildQuality::High});
-    const std::size_t pieces = high->data().leaves.size() / rc::kernel::kWordsPerTriangle;
-    EXPECT_GT(pieces, hall.triangles.size() + 30);  // they were cut indeed
+    EXPECT_GT(pieces_in(*high), hall.triangles.size() + 30);  // they were cut indeed
     expect_all_qualities_true(hall, 12, 300);
     expect_all_qualities_true(make_blades(random, 300), 13, 300);
     expect_all_qualities_true(make_blades(random, 200, 30.0f), 14, 200);
@@ -130,8 +139,7 @@ TEST(Builders, SpatialSplitsCostRaysLessAmongBeams) {
     const auto plain = rc::build_blas(hall.view()),
                high = rc::build_blas(hall.view(), {rc::BuildQuality::High});
     EXPECT_LT(high->sah_cost(), 0.9f * plain->sah_cost());
-    EXPECT_LE(high->data().leaves.size(),
-              std::size_t(1.5 * 6100) * rc::kernel::kWordsPerTriangle + rc::kernel::kLeafPadding);
+    EXPECT_LE(pieces_in(*high), std::size_t(1.3 * 6100));
 }
 
 TEST(Builders, RefittingATreeOfPiecesAnswersAsARebuild) {
@@ -176,7 +184,9 @@ TEST(Builders, ATreeNotToBeRefittedIsSmallerAndRefuses) {
     const Mesh ball = test::make_ball(glm::vec3(0.0f), 1.0f, 20);
     const auto fixed = rc::build_blas(ball.view(), {.can_refit = false}),
                supple = rc::build_blas(ball.view());
-    EXPECT_EQ(fixed->byte_size() + 8 * ball.triangles.size(), supple->byte_size());
+    // A word a corner, of which a triangle among others has one or two.
+    EXPECT_GT(supple->byte_size(), fixed->byte_size() + 4 * ball.triangles.size());
+    EXPECT_LT(supple->byte_size(), fixed->byte_size() + 8 * ball.triangles.size());
 #ifndef RC_CONTRACTS
     EXPECT_FALSE(rc::refit_blas(*fixed, ball.positions));
 #endif

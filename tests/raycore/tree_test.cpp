@@ -28,15 +28,14 @@ bool same_tree(const rc::Blas::Data& a, const rc::Blas::Data& b) {
         return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])) == 0;
     };
     return a.root == b.root && same(a.nodes, b.nodes) && same(a.leaves, b.leaves) && a.cost == b.cost &&
-           a.triangles == b.triangles && same(a.leaf_of_primitive, b.leaf_of_primitive);
+           same(a.leaf_of_primitive, b.leaf_of_primitive);
 }
 
 // Levels below `item`; counts every triangle met on the way.
 int depth_of(const rc::Blas::Data& tree, std::uint32_t item, std::multiset<std::uint32_t>& primitives) {
     if (item & rc::kernel::kLeafBit) {
-        const rc::LeafRange leaf = rc::leaf_range(item);
-        for (std::uint32_t i = 0; i < leaf.count; ++i)
-            primitives.insert(rc::primitive_in(tree.leaves.data(), leaf, i));
+        const rc::Leaf leaf(tree.leaves.data(), item);
+        for (std::uint32_t i = 0; i < leaf.size(); ++i) primitives.insert(leaf.primitive(i));
         return 0;
     }
     int deepest = 0;

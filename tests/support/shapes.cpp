@@ -88,6 +88,16 @@ Mesh make_soup(Random& random, std::uint32_t n, float half, float size) {
     return mesh;
 }
 
+Mesh parted(const Mesh& mesh) {
+    Mesh out;
+    for (const glm::uvec3& t : mesh.triangles) {
+        const auto first = static_cast<std::uint32_t>(out.positions.size());
+        out.triangles.emplace_back(first, first + 1, first + 2);
+        for (glm::length_t c = 0; c < 3; ++c) out.positions.push_back(mesh.positions[t[c]]);
+    }
+    return out;
+}
+
 void append(Mesh& a, const Mesh& b) {
     const auto base = static_cast<std::uint32_t>(a.positions.size());
     a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());

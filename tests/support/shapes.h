@@ -32,6 +32,9 @@ struct Mesh {
 // n unconnected triangles about `size` large in a cube of half width `half`.
 [[nodiscard]] Mesh make_soup(Random& random, std::uint32_t n, float half, float size);
 
+// The same triangles, each with vertices of its own.
+[[nodiscard]] Mesh parted(const Mesh& mesh);
+
 // Adds b to a.
 void append(Mesh& a, const Mesh& b);
 

@@ -33,7 +33,8 @@ double cost_of(const rc::Blas& blas, unsigned block) {
             if (node.layers[lane] == 0) continue;
             const std::uint32_t item = node.child[lane];
             const bool is_leaf = (item & rc::kernel::kLeafBit) != 0;
-            const unsigned blocks = is_leaf ? (rc::leaf_range(item).count + block - 1) / block : 1;
+            const unsigned blocks =
+                is_leaf ? (rc::Leaf(tree.leaves.data(), item).size() + block - 1) / block : 1;
             sum += half_area(node, lane) * double(blocks);
         }
     }

@@ -12,7 +12,7 @@
 namespace rc {
 
 // More triangles than this are a contract violation, and an empty Blas in release.
-inline constexpr std::size_t kMaxTriangles = (std::size_t{1} << 28) - 1;
+inline constexpr std::size_t kMaxTriangles = std::size_t{1} << 25;
 
 // Borrowed: valid while the caller's arrays are.
 struct MeshView {

@@ -3,6 +3,7 @@
 #include "kernels/kernel_abi.h"
 #include "kernels/simd_avx2.h"
 #include "kernels/ray_setup.inl"
+#include "kernels/leaf.inl"
 #include "kernels/triangle.inl"
 #include "kernels/boxes.inl"
 #include "kernels/children.inl"

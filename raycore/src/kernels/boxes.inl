@@ -104,7 +104,7 @@ struct Places {
 };
 
 static inline Places places_of_blas(const WideNode* nodes, const float* leaves) {
-    return {nodes, leaves, kLeafFirstMask, kWordsPerTriangle * sizeof(float)};
+    return {nodes, leaves, kUnitMask, kWordsPerUnit * sizeof(float)};
 }
 static inline Places places_of_scene(const SceneView& scene) {
     return {scene.nodes, scene.instances, ~kLeafBit, sizeof(InstanceView)};

@@ -105,6 +105,22 @@ struct LaneCosts {
     std::int32_t lanes;  // more than its binary leaves it can not take
 };
 
+// At most kWidth of a tree's items, which name triangles.
+struct LeafItems {
+    const std::uint32_t* items;  // of the tree
+    std::uint32_t size;          // so many
+    std::uint32_t first, count;
+};
+
+// The corners of a leaf's triangles, each once, in the order they come; `halves` as a block has them. More than
+// kMaxCorners are too many for a leaf, and what the half words then say means nothing.
+inline constexpr std::uint32_t kMostOfLeaf = 3 * kWidth;
+struct SharedCorners {
+    std::uint32_t vertices[kMostOfLeaf];
+    std::uint16_t halves[kWidth];
+    std::uint32_t count;
+};
+
 struct BuildKernels {
     void (*clear)(Bins& bins, std::int32_t used);
     void (*bin)(const BuildRef* refs, std::uint64_t n, const BinGrid& grid, Bins& bins);
@@ -126,10 +142,14 @@ struct BuildKernels {
                         std::uint8_t (&lefts)[kWidth]);
     // Orders children by surface an item below and writes their boxes into a node's lanes.
     void (*fill_boxes)(const BinaryNode* (&children)[kWidth], WideNode& node);
-    // Fills the nine rows of corners of a block of n triangles; the box of those that triangle_check.h finds no fault
-    // with, and with their slack. The others' corners become NaN.
-    void (*fit_block)(float* block, std::uint32_t n, const std::uint32_t* triangles, const float* positions,
-                      GrowingBox& box, GrowingBox& with_slack);
+    // What the triangles of a leaf share: corners are one where they are one vertex, or else where they lie at one place,
+    // to the bit.
+    void (*share_corners)(const LeafItems& leaf, const MeshArrays& mesh, bool by_vertex,
+                          SharedCorners& shared);
+    // Brings the corners of a leaf that knows its vertices to where these are; the box of the triangles that
+    // triangle_check.h finds no fault with, and with their slack. The others can not be met.
+    void (*fit_block)(float* block, std::uint32_t corners, const float* positions, GrowingBox& box,
+                      GrowingBox& with_slack);
     // Boxes with slack around those of the triangles [first, end) that triangle_check.h finds no fault with, in order; how
     // many. Grows `bounds` by the triangles themselves. There are so many `vertices`.
     std::uint64_t (*box_triangles)(const MeshArrays& mesh, std::uint64_t vertices, std::uint64_t first,

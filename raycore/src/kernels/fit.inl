@@ -24,28 +24,37 @@ static inline bool is_worth_keeping(const Quad& a, const Quad& b, const Quad& c)
     return (differs[0] | differs[1] | differs[2]) != 0;
 }
 
-static void fit_block(float* block, std::uint32_t n, const std::uint32_t* triangles, const float* positions,
-                      GrowingBox& box, GrowingBox& with_slack) {
-    Quad low = quad_of(0x1.fffffep127f), high = -low, low_of_all = low, high_of_all = high;
-    const MeshArrays mesh{positions, triangles};
-    for (std::uint32_t lane = 0; lane < n; ++lane) {
-        const std::uint32_t* t = triangles + 3 * lane;
-        Quad p[3] = {corner_of(mesh, t[0]), corner_of(mesh, t[1]), corner_of(mesh, t[2])};
-        if (is_worth_keeping(p[0], p[1], p[2])) {
-            const Quad least = lesser(p[0], lesser(p[1], p[2])), most = greater(p[0], greater(p[1], p[2]));
-            const Quad extent = most - least;
-            const float of_two = extent[0] > extent[1] ? extent[0] : extent[1];
-            const Quad slack = quad_of((of_two > extent[2] ? of_two : extent[2]) * kSlack);
-            low = lesser(least, low);
-            high = greater(most, high);
-            low_of_all = lesser(least - slack, low_of_all);
-            high_of_all = greater(most + slack, high_of_all);
-        } else {
-            p[0] = p[1] = p[2] = quad_of(__builtin_nanf(""));
-        }
-        for (std::uint32_t c = 0; c < 3; ++c)
-            for (std::uint32_t a = 0; a < 3; ++a) block[(3 * c + a) * n + lane] = p[c][a];
+static void fit_block(float* block, std::uint32_t corners, const float* positions, GrowingBox& box,
+                      GrowingBox& with_slack) {
+    std::uint16_t halves[kWidth];
+    __builtin_memcpy(halves, block + 3 * corners, sizeof(halves));
+    const std::uint32_t n = (halves[0] >> kCountShift & kCountMask) + 1;
+    const float* vertices = block + 3 * corners + (n + 1) / 2 + n;
+    Quad corner[kMaxCorners];
+    for (std::uint32_t c = 0; c < corners; ++c) {
+        std::uint32_t vertex;
+        __builtin_memcpy(&vertex, vertices + c, sizeof(vertex));
+        const Quad p = corner[c] = corner_of({positions, nullptr}, vertex);
+        for (std::uint32_t a = 0; a < 3; ++a) block[a * corners + c] = p[a];
     }
+    Quad low = quad_of(0x1.fffffep127f), high = -low, low_of_all = low, high_of_all = high;
+    for (std::uint32_t t = 0; t < n; ++t) {
+        const auto p = [&](std::uint32_t i) -> const Quad& {
+            return corner[halves[t] >> (kCornerBits * i) & (kMaxCorners - 1)];
+        };
+        const bool is_met = is_worth_keeping(p(0), p(1), p(2));
+        halves[t] = std::uint16_t((halves[t] & ~kIsMet) | (is_met ? kIsMet : 0));
+        if (!is_met) continue;
+        const Quad least = lesser(p(0), lesser(p(1), p(2))), most = greater(p(0), greater(p(1), p(2)));
+        const Quad extent = most - least;
+        const float of_two = extent[0] > extent[1] ? extent[0] : extent[1];
+        const Quad slack = quad_of((of_two > extent[2] ? of_two : extent[2]) * kSlack);
+        low = lesser(least, low);
+        high = greater(most, high);
+        low_of_all = lesser(least - slack, low_of_all);
+        high_of_all = greater(most + slack, high_of_all);
+    }
+    __builtin_memcpy(block + 3 * corners, halves, n * sizeof(halves[0]));
     store_as<Quad>(box.neg_min, -low);
     store_as<Quad>(box.max, high);
     store_as<Quad>(with_slack.neg_min, -low_of_all);

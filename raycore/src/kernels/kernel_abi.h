@@ -11,15 +11,17 @@ namespace rc::kernel {
 inline constexpr int kWidth = 8;      // children a node, lanes a triangle block
 inline constexpr int kMaxDepth = 64;  // of a tree; the builder proves it (binned_builder.h)
 inline constexpr int kStackSize =
-    (kWidth - 1) * kMaxDepth + 1;             // siblings waiting at each level, and the root
-inline constexpr int kWordsPerTriangle = 10;  // nine coordinates and the primitive
-inline constexpr int kLeafPadding = 64;       // words readable behind the last block
+    (kWidth - 1) * kMaxDepth + 1;                  // siblings waiting at each level, and the root
+inline constexpr std::uint32_t kMaxCorners = 16;   // of all triangles of a leaf
+inline constexpr std::uint32_t kWordsPerUnit = 4;  // where a leaf may begin
+inline constexpr int kLeafPadding = 64;            // words readable behind the last leaf
 
-// A child is a node's index, or a leaf. In a BLAS a leaf is kLeafBit | (count - 1) << 28 | first: its block starts
-// at word first * kWordsPerTriangle. In a TLAS it is kLeafBit | instance. Empty lanes have an inverted box, and
+// A child is a node's index, or a leaf. In a BLAS a leaf is kLeafBit | (corners - 1) << kCornersShift | unit: its block
+// starts at word unit * kWordsPerUnit. In a TLAS it is kLeafBit | instance. Empty lanes have an inverted box, and
 // name some leaf that exists, so that even a lane let through by mistake leads to a true answer.
 inline constexpr std::uint32_t kLeafBit = 0x80000000u;
-inline constexpr std::uint32_t kLeafFirstMask = 0x0FFFFFFFu;
+inline constexpr std::uint32_t kCornersShift = 27;
+inline constexpr std::uint32_t kUnitMask = (1u << kCornersShift) - 1;
 inline constexpr std::uint32_t kEmptyTree = 0xFFFFFFFFu;
 
 struct alignas(64) WideNode {
@@ -29,7 +31,10 @@ struct alignas(64) WideNode {
 };
 static_assert(sizeof(WideNode) == 256);
 
-// A block of n <= 8 triangles is ten rows of n words: corner 0 x, y, z, corner 1 x, y, z, corner 2 x, y, z, primitive.
+// The block of a leaf of m corners and n <= 8 triangles: m x, m y, m z; half a word a triangle, which names its corners;
+// n primitives; and m vertices, if it can be refitted. A half word has kCornerBits a corner, the first corner lowest;
+// the first half word has n - 1 from kCountShift on; kIsMet where the triangle can be met at all.
+inline constexpr std::uint32_t kCornerBits = 4, kCountShift = 12, kCountMask = 7, kIsMet = 0x8000u;
 struct BlasView {
     const WideNode* nodes = nullptr;
     const float* leaves = nullptr;

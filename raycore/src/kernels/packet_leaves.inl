@@ -7,21 +7,34 @@ namespace {
 // Rays of a bundle that are asked in groups at a leaf: fewer are scattered over too many.
 inline constexpr int kFewInGroups = 16;
 
-// A group of rays against one triangle, which must be a bundle's. m.met is 0 where none is met, and then nothing else
-// means anything.
-static inline void meet_triangle(const Leaf& leaf, std::uint32_t triangle, const PacketRays& rays, int at,
-                                 std::uint32_t asked, Meetings& m) {
+// A leaf's corners as a group of rays sees them, which must be a bundle's: each once, whoever shares it.
+struct GroupCorners {
+    Float x[kMaxCorners], y[kMaxCorners], z[kMaxCorners];
+};
+static inline void shear_corners(const Leaf& leaf, const PacketRays& rays, int at, GroupCorners& out) {
     const Float ox = load(rays.at_kx + at), oy = load(rays.at_ky + at), oz = load(rays.at_kz + at);
     const Float sx = load(rays.shear_x + at), sy = load(rays.shear_y + at);
+    const float *at_x = row_of(leaf, rays.kx), *at_y = row_of(leaf, rays.ky), *at_z = row_of(leaf, rays.kz);
+    for (std::uint32_t i = 0; i < leaf.corners; ++i) {
+        const Float z = splat(at_z[i]) - oz;
+        out.z[i] = z;
+        out.x[i] = (splat(at_x[i]) - ox) - sx * z;
+        out.y[i] = (splat(at_y[i]) - oy) - sy * z;
+    }
+}
+
+// A group of rays against one triangle. m.met is 0 where none is met, and then nothing else means anything.
+static inline void meet_triangle(const GroupCorners& corners, std::uint32_t half, Float dz,
+                                 std::uint32_t asked, Meetings& m) {
     Corners c;
     for (std::uint32_t i = 0; i < 3; ++i) {
-        const float* corner = leaf.rows + 3 * i * leaf.count + triangle;
-        c.z[i] = splat(corner[std::uint32_t(rays.kz) * leaf.count]) - oz;
-        c.x[i] = (splat(corner[std::uint32_t(rays.kx) * leaf.count]) - ox) - sx * c.z[i];
-        c.y[i] = (splat(corner[std::uint32_t(rays.ky) * leaf.count]) - oy) - sy * c.z[i];
+        const std::uint32_t corner = corner_of(half, i);
+        c.x[i] = corners.x[corner];
+        c.y[i] = corners.y[corner];
+        c.z[i] = corners.z[corner];
     }
     m.met = maybe_bits(c) & asked;
-    if (m.met != 0) decide(c, load(rays.dz + at), m.met, m);
+    if (m.met != 0) decide(c, dz, m.met, m);
 }
 
 // Whom rays ask about in a leaf's tree.
@@ -52,7 +65,7 @@ class PacketLeaves {
         for (; maybe != 0; maybe &= maybe - 1) {
             const auto lane = std::uint32_t(__builtin_ctz(maybe));
             Candidate candidate;
-            if (!decide_one(leaf.rows, leaf.count, lane, ray, candidate)) continue;
+            if (!decide_one(leaf, lane, ray, candidate)) continue;
             candidate.primitive = primitive_at(leaf, lane);
             candidate.instance = instance_.id;
             if (candidate.primitive != instance_.skip[i]) has_changed |= lanes_.take(i, candidate);
@@ -66,20 +79,18 @@ class PacketLeaves {
     }
 
   private:
-    static std::uint32_t primitive_at(const Leaf& leaf, std::uint32_t lane) {
-        std::uint32_t primitive;
-        __builtin_memcpy(&primitive, leaf.rows + 9 * leaf.count + lane, sizeof(primitive));
-        return primitive;
-    }
-
     bool test_groups(const Leaf& leaf, std::uint64_t asked) {
         bool is_shorter = false;
+        const std::uint32_t triangles = triangle_bits(leaf);
         while (asked != 0) {
             const int at = __builtin_ctzll(asked) & -kWidth;
             std::uint32_t left = std::uint32_t(asked >> at) & 0xFFu, changed = 0;
             asked &= ~(std::uint64_t{0xFF} << at);
-            for (std::uint32_t triangle = 0; triangle < leaf.count; ++triangle) {
-                const std::uint32_t taken = test_triangle(leaf, triangle, at, left);
+            GroupCorners corners;
+            shear_corners(leaf, rays_, at, corners);
+            for (std::uint32_t rest = triangles; rest != 0; rest &= rest - 1) {
+                const auto triangle = std::uint32_t(__builtin_ctz(rest));
+                const std::uint32_t taken = test_triangle(leaf, corners, triangle, at, left);
                 changed |= taken;
                 if constexpr (Lanes::Alone::kIsAny) left &= ~taken;
             }
@@ -89,9 +100,10 @@ class PacketLeaves {
         }
         return is_shorter;
     }
-    std::uint32_t test_triangle(const Leaf& leaf, std::uint32_t triangle, int at, std::uint32_t asked) {
+    std::uint32_t test_triangle(const Leaf& leaf, const GroupCorners& corners, std::uint32_t triangle, int at,
+                                std::uint32_t asked) {
         Meetings m;
-        meet_triangle(leaf, triangle, rays_, at, asked, m);
+        meet_triangle(corners, half_of(leaf, triangle), load(rays_.dz + at), asked, m);
         if (m.met == 0) return 0;
         const std::uint32_t primitive = primitive_at(leaf, triangle);
         m.met = within(lanes_.t_min + at, lanes_.t_limit + at, m) &
@@ -113,7 +125,7 @@ class PacketLeaves {
         int n = 0;
         for (; asked != 0; asked &= asked - 1) {  // no branch on what is met: it can not be predicted
             const int i = __builtin_ctzll(asked);
-            maybe[n] = filter(leaf, corners_of(leaf.rows, leaf.count, triangle_ray(rays_, i)));
+            maybe[n] = filter(leaf, corners_of(leaf, triangle_ray(rays_, i)));
             who[n] = i;
             n += maybe[n] != 0;
         }

@@ -134,7 +134,7 @@ class PacketTail {
         for (int k = 0; k < n; ++k) {
             const int i = testing[k];
             const Leaf leaf = leaf_at(blas_.leaves, item_[i]);
-            maybe[n_maybe] = filter(leaf, corners_of(leaf.rows, leaf.count, triangle_ray(rays_, i)));
+            maybe[n_maybe] = filter(leaf, corners_of(leaf, triangle_ray(rays_, i)));
             who[n_maybe] = i;
             n_maybe += maybe[n_maybe] != 0;
         }

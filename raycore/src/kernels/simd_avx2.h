@@ -85,6 +85,17 @@ static inline Words splat(std::uint32_t a) {
     return {_mm256_set1_epi32(static_cast<int>(a))};
 }
 
+// Eight half words, their highest bits being the words' own.
+static inline Words load_halves(const void* p) {
+    return {_mm256_cvtepi16_epi32(_mm_loadu_si128(static_cast<const __m128i*>(p)))};
+}
+static inline std::uint32_t half_sign_bits(Words halves) {
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(halves.v)));
+}
+static inline Words shift_right(Words a, int bits) {
+    return {_mm256_srli_epi32(a.v, bits)};
+}
+
 // Eight blocks of eight floats, `step` bytes apart, turned: out[i] holds the i-th of every block.
 static inline void load_turned(const void* first, std::uint64_t step, Float out[8]) {
     const char* at = static_cast<const char*>(first);

@@ -28,6 +28,33 @@ static inline Words where(Lanes lanes, Words yes, Words no) {
     return {_mm256_castps_si256(
         _mm256_blendv_ps(_mm256_castsi256_ps(no.v), _mm256_castsi256_ps(yes.v), lanes.sign))};
 }
+// A value of every corner of a leaf, and whatever lies behind the last.
+struct Row {
+    Float low, high;
+};
+static inline Row load_row(const float* p) {
+    return {load(p), load(p + 8)};
+}
+static inline Row splat_row(float a) {
+    return {splat(a), splat(a)};
+}
+static inline Row operator-(Row a, Row b) {
+    return {a.low - b.low, a.high - b.high};
+}
+static inline Row operator*(Row a, Row b) {
+    return {a.low * b.low, a.high * b.high};
+}
+// Lane i: the value of the corner that the lowest four bits of `which` name.
+static inline Float pick(Row row, Words which) {
+    const __m256 low = _mm256_permutevar8x32_ps(row.low.v, which.v),
+                 high = _mm256_permutevar8x32_ps(row.high.v, which.v),
+                 is_high = _mm256_castsi256_ps(_mm256_slli_epi32(which.v, 28));
+    return {_mm256_blendv_ps(low, high, is_high)};
+}
+// The same where all that are named are among the first eight.
+static inline Float pick_low(Row row, Words which) {
+    return {_mm256_permutevar8x32_ps(row.low.v, which.v)};
+}
 inline constexpr bool kHasWideDoubles = false;  // one register holds a Double
 struct Double {
     __m256d low, high;

@@ -23,6 +23,33 @@ static inline Float where(Lanes lanes, Float yes, Float no) {
 static inline Words where(Lanes lanes, Words yes, Words no) {
     return {_mm256_mask_blend_epi32(lanes.bits, no.v, yes.v)};
 }
+// A value of every corner of a leaf, and whatever lies behind the last.
+struct Row {
+    __m512 v;
+};
+static inline Row load_row(const float* p) {
+    return {_mm512_loadu_ps(p)};
+}
+static inline Row splat_row(float a) {
+    return {_mm512_set1_ps(a)};
+}
+static inline Row operator-(Row a, Row b) {
+    return {_mm512_sub_ps(a.v, b.v)};
+}
+static inline Row operator*(Row a, Row b) {
+    return {_mm512_mul_ps(a.v, b.v)};
+}
+// Lane i: the value of the corner that the lowest four bits of `which` name.
+static inline Float pick(Row row, Words which) {
+    const __m512 picked = _mm512_maskz_permutexvar_ps(0xFFFF, _mm512_castsi256_si512(which.v), row.v);
+    Float first;
+    __builtin_memcpy(&first.v, &picked, sizeof(first.v));  // GCC 12 takes the plain cast for uninitialised
+    return first;
+}
+// The same where all that are named are among the first eight.
+static inline Float pick_low(Row row, Words which) {
+    return pick(row, which);
+}
 inline constexpr bool kHasWideDoubles = true;  // one register holds a Double
 // Eight doubles.
 struct Double {

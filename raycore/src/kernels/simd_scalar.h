@@ -100,6 +100,54 @@ static inline Words splat(std::uint32_t a) {
     return {{a, a, a, a, a, a, a, a}};
 }
 
+// A value of every corner of a leaf, and whatever lies behind the last.
+struct Row {
+    float lane[16];
+};
+template <class Op>
+static inline Row each_corner(Op op) {
+    Row r;
+    for (int i = 0; i < 16; ++i) r.lane[i] = op(i);
+    return r;
+}
+static inline Row load_row(const float* p) {
+    return each_corner([&](int i) { return p[i]; });
+}
+static inline Row splat_row(float a) {
+    return each_corner([&](int) { return a; });
+}
+static inline Row operator-(const Row& a, const Row& b) {
+    return each_corner([&](int i) { return a.lane[i] - b.lane[i]; });
+}
+static inline Row operator*(const Row& a, const Row& b) {
+    return each_corner([&](int i) { return a.lane[i] * b.lane[i]; });
+}
+// Lane i: the value of the corner that the lowest four bits of `which` name.
+static inline Float pick(const Row& row, Words which) {
+    return each([&](int i) { return row.lane[which.lane[i] & 15u]; });
+}
+// The same where all that are named are among the first eight.
+static inline Float pick_low(const Row& row, Words which) {
+    return pick(row, which);
+}
+// Eight half words, and the highest bits of them.
+static inline Words load_halves(const void* p) {
+    std::uint16_t half[8];
+    __builtin_memcpy(half, p, sizeof(half));
+    Words r;
+    for (int i = 0; i < 8; ++i) r.lane[i] = half[i];
+    return r;
+}
+static inline std::uint32_t half_sign_bits(Words halves) {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < 8; ++i) bits |= (halves.lane[i] >> 15 & 1u) << i;
+    return bits;
+}
+static inline Words shift_right(Words a, int bits) {
+    for (std::uint32_t& lane : a.lane) lane >>= bits;
+    return a;
+}
+
 // Eight blocks of eight floats, `step` bytes apart, turned: out[i] holds the i-th of every block.
 static inline void load_turned(const void* first, std::uint64_t step, Float out[8]) {
     for (std::uint64_t ray = 0; ray < 8; ++ray) {

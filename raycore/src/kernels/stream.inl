@@ -90,7 +90,7 @@ class Stream {
         for (int i = 0; i < n_testing; ++i) {
             Walker<Sink>& walker = *testing[i];
             const Leaf leaf = leaf_at(walker.local.leaves, walker.item);
-            walker.maybe = filter(leaf, corners_of(leaf.rows, leaf.count, walker.local.ray));
+            walker.maybe = filter(leaf, corners_of(leaf, walker.local.ray));
             maybe[n_maybe] = &walker;
             n_maybe += walker.maybe != 0;
         }
@@ -105,7 +105,7 @@ class Stream {
     void decide_leaf(Walker<Sink>& walker) {
         const Leaf leaf = leaf_at(walker.local.leaves, walker.item);
         if constexpr (Sink::kIsAny) {
-            const Corners corners = corners_of(leaf.rows, leaf.count, walker.local.ray);
+            const Corners corners = corners_of(leaf, walker.local.ray);
             if (test_lanes(leaf, corners, walker.maybe, walker.local, walker.sink))
                 walker.top = 1;  // seen enough: only the end is left on the stack
         } else {

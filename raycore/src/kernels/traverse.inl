@@ -102,15 +102,6 @@ static inline void aim_in_world(const SceneView& scene, const LocalRay& ray, flo
     aim_at_boxes(ray, {scene.min, scene.max}, t_min, t_limit, box);
 }
 
-struct Leaf {
-    const float* rows;
-    std::uint32_t count;
-};
-static inline Leaf leaf_at(const float* leaves, std::uint32_t item) {
-    return {leaves + std::uint64_t{item & kLeafFirstMask} * kWordsPerTriangle,
-            ((item & ~kLeafBit) >> 28) + 1};
-}
-
 // Hands the lanes that are met to the sink, in their order.
 template <class Sink>
 static inline void take_lanes(const Leaf& leaf, const Meetings& m, std::uint32_t met, InstanceRay& local,
@@ -124,8 +115,7 @@ static inline void take_lanes(const Leaf& leaf, const Meetings& m, std::uint32_t
     for (; met != 0; met &= met - 1) {
         const int lane = __builtin_ctz(met);
         if (!(t[lane] <= sink.t_limit)) continue;
-        std::uint32_t primitive;
-        __builtin_memcpy(&primitive, leaf.rows + 9 * leaf.count + std::uint32_t(lane), sizeof(primitive));
+        const std::uint32_t primitive = primitive_at(leaf, std::uint32_t(lane));
         sink.take({t[lane], local.instance, primitive, weight1[lane], weight2[lane], weight_sum[lane]});
     }
     local.box.s_max = s_limit(local.box, sink.t_limit);
@@ -139,7 +129,7 @@ static inline bool test_side_by_side(const Leaf& leaf, const Corners& corners, s
     decide(corners, splat(local.ray.dz), maybe, m);
     const std::uint32_t met = m.met & less_equal_bits(splat(sink.t_min), m.t) &
                               less_equal_bits(m.t, splat(sink.t_limit)) &
-                              ~equal_bits(words_at(leaf.rows + 9 * leaf.count), splat(local.skip));
+                              ~equal_bits(words_at(primitives_of(leaf)), splat(local.skip));
     if (met == 0) return false;
     if constexpr (Sink::kIsAny) {
         sink.is_hit = true;
@@ -156,9 +146,8 @@ static inline bool test_in_turn(const Leaf& leaf, std::uint32_t maybe, InstanceR
     for (; maybe != 0; maybe &= maybe - 1) {
         const auto lane = std::uint32_t(__builtin_ctz(maybe));
         Candidate candidate;
-        const bool is_met = decide_one(leaf.rows, leaf.count, lane, local.ray, candidate);
-        __builtin_memcpy(&candidate.primitive, leaf.rows + 9 * leaf.count + lane,
-                         sizeof(candidate.primitive));
+        const bool is_met = decide_one(leaf, lane, local.ray, candidate);
+        candidate.primitive = primitive_at(leaf, lane);
         const bool is_within = (sink.t_min <= candidate.t) & (candidate.t <= sink.t_limit);
         if (!(is_met & is_within & (candidate.primitive != local.skip))) continue;
         if constexpr (Sink::kIsAny) {
@@ -183,7 +172,7 @@ static inline bool test_lanes(const Leaf& leaf, const Corners& corners, std::uin
 
 // Lanes that may be met.
 static inline std::uint32_t filter(const Leaf& leaf, const Corners& corners) {
-    return maybe_bits(corners) & ((1u << leaf.count) - 1);
+    return maybe_bits(corners) & triangle_bits(leaf);
 }
 
 template <class Sink>
@@ -205,7 +194,7 @@ static bool walk_tree(InstanceRay& local, Sink& sink, Counts& counts) {
         if (item == kEmptyTree) return false;
         ++counts.leaves;
         const Leaf leaf = leaf_at(local.leaves, item);
-        const Corners corners = corners_of(leaf.rows, leaf.count, local.ray);
+        const Corners corners = corners_of(leaf, local.ray);
         const std::uint32_t maybe = filter(leaf, corners);
         if (maybe != 0 && test_lanes(leaf, corners, maybe, local, sink)) return true;
         item = pop(top, local.box.s_max);

@@ -63,15 +63,15 @@ static inline void decide(const Corners& c, Float dz, std::uint32_t asked, Meeti
 
 // The same for one ray and one triangle of a leaf: shear and decision again, lane by lane the same operations.
 template <class Ray>
-static inline bool decide_one(const float* rows, std::uint32_t count, std::uint32_t lane, const Ray& ray,
-                              Candidate& c) {
-    const auto to = [&](int axis) { return rows + std::uint32_t(axis) * count + lane; };
-    const float *at_x = to(ray.kx), *at_y = to(ray.ky), *at_z = to(ray.kz);
+static inline bool decide_one(const Leaf& leaf, std::uint32_t triangle, const Ray& ray, Candidate& c) {
+    const float *at_x = row_of(leaf, ray.kx), *at_y = row_of(leaf, ray.ky), *at_z = row_of(leaf, ray.kz);
+    const std::uint32_t half = half_of(leaf, triangle);
     double x[3], y[3], z[3];
     for (std::uint32_t i = 0; i < 3; ++i) {
-        const float dz = at_z[3 * i * count] - ray.at_kz;
-        x[i] = double((at_x[3 * i * count] - ray.at_kx) - ray.shear_x * dz);
-        y[i] = double((at_y[3 * i * count] - ray.at_ky) - ray.shear_y * dz);
+        const std::uint32_t corner = corner_of(half, i);
+        const float dz = at_z[corner] - ray.at_kz;
+        x[i] = double((at_x[corner] - ray.at_kx) - ray.shear_x * dz);
+        y[i] = double((at_y[corner] - ray.at_ky) - ray.shear_y * dz);
         z[i] = double(dz);
     }
     const double w0 = x[2] * y[1] - y[2] * x[1];
@@ -86,21 +86,17 @@ static inline bool decide_one(const float* rows, std::uint32_t count, std::uint3
     return (front | back) & (c.weight_sum != 0);
 }
 
-// A leaf's triangles for one ray; lanes beyond `count` mean nothing.
+// A leaf's triangles for one ray; lanes beyond the last mean nothing. Every corner is sheared once, whoever shares it.
 template <class Ray>
-static inline Corners corners_of(const float* rows, std::uint32_t count, const Ray& ray) {
-    Corners c;
-    const Float ox = splat(ray.at_kx), oy = splat(ray.at_ky), oz = splat(ray.at_kz);
-    const Float sx = splat(ray.shear_x), sy = splat(ray.shear_y);
-    const std::uint32_t to_x = std::uint32_t(ray.kx) * count, to_y = std::uint32_t(ray.ky) * count,
-                        to_z = std::uint32_t(ray.kz) * count;
-    for (std::uint32_t i = 0; i < 3; ++i) {
-        const float* corner = rows + 3 * i * count;
-        c.z[i] = load(corner + to_z) - oz;
-        c.x[i] = (load(corner + to_x) - ox) - sx * c.z[i];
-        c.y[i] = (load(corner + to_y) - oy) - sy * c.z[i];
-    }
-    return c;
+static inline Corners corners_of(const Leaf& leaf, const Ray& ray) {
+    const Row z = load_row(row_of(leaf, ray.kz)) - splat_row(ray.at_kz);
+    const Row x = (load_row(row_of(leaf, ray.kx)) - splat_row(ray.at_kx)) - splat_row(ray.shear_x) * z;
+    const Row y = (load_row(row_of(leaf, ray.ky)) - splat_row(ray.at_ky)) - splat_row(ray.shear_y) * z;
+    const Words first = halves_of(leaf), second = shift_right(first, kCornerBits),
+                third = shift_right(second, kCornerBits);
+    return {{pick_low(x, first), pick(x, second), pick(x, third)},
+            {pick_low(y, first), pick(y, second), pick(y, third)},
+            {pick_low(z, first), pick(z, second), pick(z, third)}};
 }
 
 }  // namespace
