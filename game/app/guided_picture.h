@@ -3,7 +3,8 @@
 //
 //   const glm::vec2 jitter = guided.begin(scene, camera, settings, frame, shape, jobs);
 //   ... render a picture of shape.lit pixels with that jitter ...
-//   guided.add(film.radiance, jobs, picture);         // of shape.made() pixels
+//   guided.add(film.radiance, jobs);
+//   ... show guided.picture(), of shape.made() pixels ...
 //
 // Cost, threads, same bits   as render/guide.h and filter/temporal_upscale.h.
 #pragma once
@@ -24,15 +25,20 @@ namespace gh::app {
 class GuidedPicture {
   public:
     // The next frame is the first: after a cut.
-    void forget() { upscaler_.forget(); }
+    void forget() {
+        upscaler_.forget();
+        has_picture_ = false;
+    }
 
     // Of the settings those count that render_guide() names, but for the jitter. Returns where in their pixels the lit
     // picture's samples must lie.
     [[nodiscard]] glm::vec2 begin(const render::SceneView& scene, const render::Camera& camera,
                                   render::WhittedSettings settings, std::uint32_t frame,
                                   const PictureShape& shape, const Jobs& jobs);
-    // Precondition: `radiance` has the size that begin() was told. `out` is made to have shape.made() pixels.
-    void add(const Image& radiance, const Jobs& jobs, Image& out);
+    // Precondition: `radiance` has the size that begin() was told.
+    void add(const Image& radiance, const Jobs& jobs);
+    // Of shape.made() pixels; what was added last.
+    [[nodiscard]] const Image& picture() const { return picture_; }
 
     // What pixels of the lit picture blur textures by, of their own size: as the guide's do, which are as sharp as what is
     // made of them.
@@ -42,7 +48,9 @@ class GuidedPicture {
 
   private:
     filter::TemporalUpscaler upscaler_;
-    render::FilmPlanes guide_;
+    render::FilmPlanes guide_, guide_before_;
+    Image picture_;
+    bool has_picture_ = false;  // that the next frame follows
     PictureShape shape_;
     glm::vec2 jitter_{0.0f};
     glm::ivec2 offset_{0};

@@ -149,7 +149,7 @@ void View::expose_next(const render::SceneView& scene, const render::Camera& cam
     settings.texture_blur = GuidedPicture::texture_blur(shape);
     settings.is_adaptive = settings.is_adaptive && shape.step == 1;  // few pixels have little between them
     expose(scene, camera, settings, frame, jobs);
-    guided_.add(film_.radiance, jobs, added_up_);
+    guided_.add(film_.radiance, jobs);
     is_added_up_ = true;
 }
 
@@ -186,11 +186,11 @@ void View::expose_next(const render::SceneView& scene, const render::Camera& cam
         trace(scene, camera, settings, frame, true, jobs);
         return;
     }
-    settings.jitter =
-        guided_.begin(scene, camera, {.texture_taps = settings.texture_taps}, frame, shape, jobs);
+    settings.jitter = guided_.begin(
+        scene, camera, {.texture_taps = settings.texture_taps, .mirrors_last = false}, frame, shape, jobs);
     settings.texture_blur = GuidedPicture::texture_blur(shape);
     trace(scene, camera, settings, frame, false, jobs);
-    guided_.add(film_.radiance, jobs, added_up_);
+    guided_.add(film_.radiance, jobs);
     is_added_up_ = true;
 }
 

@@ -95,7 +95,7 @@ class View {
 
     [[nodiscard]] const render::Film& film() const { return film_; }
     // What was exposed last: radiance, of as many pixels as are shown.
-    [[nodiscard]] const Image& shown() const { return is_added_up_ ? added_up_ : film_.radiance; }
+    [[nodiscard]] const Image& shown() const { return is_added_up_ ? guided_.picture() : film_.radiance; }
     [[nodiscard]] const Image8& picture() const { return picture_; }
 
   private:
@@ -103,7 +103,6 @@ class View {
                const render::PathSettings& settings, std::uint32_t frame, bool adds_up, const Jobs& jobs);
     render::Film film_;
     GuidedPicture guided_;
-    Image added_up_;
     bool is_added_up_ = false;  // the last picture is there, not in the film
     FilmDenoiser denoiser_;
     Reshading reshading_;

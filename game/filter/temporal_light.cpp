@@ -155,8 +155,8 @@ static HWY_INLINE void spread_vector(const SpreadRow& row, std::size_t x) {
     store(choose(stays, zero, one), row.moves + x);
     const Vector colour = plus(times(light, load3(row.albedo, x, width)), load3(row.clean, x, width));
     const Lanes is_number = both(is_finite(colour.x), both(is_finite(colour.y), is_finite(colour.z)));
-    store3({zero_unless(is_number, colour.x), zero_unless(is_number, colour.y),
-            zero_unless(is_number, colour.z)},
+    store3({hn::Max(zero_unless(is_number, colour.x), zero), hn::Max(zero_unless(is_number, colour.y), zero),
+            hn::Max(zero_unless(is_number, colour.z), zero)},
            row.lighted, x);
 }
 

@@ -2,8 +2,8 @@
 
 #include "base/contracts.h"
 #include "filter/bordered.h"
-#include "filter/rows.h"
 #include "filter/picture_past.h"
+#include "filter/rows.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -20,7 +20,7 @@ namespace gh::filter {
 namespace {
 
 constexpr float kNearness = 2.5f;  // a sample d pixels away counts exp(-kNearness d^2)
-constexpr float kReach = 2.0f;  // of a lit pixel's size: how far one surface leaves its own plane
+constexpr float kReach = 2.0f;     // of a lit pixel's size: how far one surface leaves its own plane
 
 bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -61,7 +61,7 @@ void TemporalUpscaler::demodulate_row(const GuidedFrame& frame, int v) {
     for (int u = 0; u < frame.radiance.width; ++u) {
         const glm::vec3& radiance = frame.radiance.pixels[frame.radiance.index(u, v)];
         const std::size_t at = frame.index_of_lit(u, v);
-        const glm::vec3 light = glm::max((radiance - guide.clean[at]) / guide.albedo[at], 0.0f);
+        const glm::vec3 light = (radiance - guide.clean[at]) / guide.albedo[at];
         const bool is_known = is_finite(light) && is_finite(radiance);
         const bool is_sky = guide.part[at] == kNoSurface;
         lit_.light.set(u, v, is_known ? light : glm::vec3(0.0f));

@@ -47,7 +47,8 @@ struct Guide {
     std::span<const glm::vec3> previous;   // as GBuffer::previous
     std::span<const glm::vec3> geometric;  // as GBuffer::geometric
     std::span<const glm::vec3> albedo;     // above 0: what light is multiplied by there, about
-    std::span<const glm::vec3> clean;      // what shines by itself
+    // What shines by itself, and what is known to be mirrored: that need not be right, since lit pixels say what is left.
+    std::span<const glm::vec3> clean;
 
     [[nodiscard]] std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);

@@ -3,6 +3,7 @@
 #include "base/contracts.h"
 #include "render/frame_light.h"
 #include "render/guide_colors.h"
+#include "render/guide_gleams.h"
 #include "render/guide_point.h"
 #include "render/sky.h"
 #include "render/tile.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace gh::render {
 
@@ -24,7 +26,10 @@ constexpr std::size_t kIndicesAhead = 12, kCornersAhead = 6;  // hits whose memo
 class GuideTracer {
   public:
     explicit GuideTracer(const Frame& frame)
-        : colors_(frame.settings.texture_taps), tracer_(frame), frame_(frame) {}
+        : colors_(frame.settings.texture_taps), tracer_(frame), frame_(frame) {
+        if (frame.view.last != nullptr)
+            gleams_.emplace(GleamTracer::World{frame.view, frame.light, frame.gloss});
+    }
 
     void trace(int tile_x, int tile_y) {
         const int left = tile_x * kTileSide, top = tile_y * kTileSide;
@@ -53,6 +58,7 @@ class GuideTracer {
         }
         colors_.flush();
         if (!not_plain_.empty()) tracer_.look_at(tile_x, tile_y, not_plain_, met_);
+        if (gleams_) gleams_->trace(*frame_.guide);
     }
 
   private:
@@ -76,11 +82,13 @@ class GuideTracer {
         const float weight = frame_.light.emission_on[hit.instance] != 0 ? 1.0f : 0.0f;
         colors_.add(frame_.view, triangle, hit, {ray.direction, point.geometric, width},
                     {&frame_.guide->albedo[at], &clean, glm::vec3(weight)});
+        if (gleams_ && triangle.is_polished) gleams_->add(triangle, ray, hit, at, *frame_.guide);
         return true;
     }
 
     GuideColors colors_;
     TileTracer tracer_;
+    std::optional<GleamTracer> gleams_;
     const Frame& frame_;
     std::vector<rc::Ray> rays_;
     std::vector<rc::Hit> hits_;

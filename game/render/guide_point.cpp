@@ -1,5 +1,7 @@
 #include "render/guide_point.h"
 
+#include "render/polish.h"
+
 #include <glm/geometric.hpp>
 
 namespace gh::render {
@@ -9,6 +11,27 @@ namespace {
 // What glass, paint and varnish give back, on average over angles and a little more: a dark seam in a polished floor
 // mirrors as much as the plank beside it. Pictures lit in every ninth pixel err least between .1 and .2 (README.md).
 constexpr float kPolish = 0.15f;
+
+// Guards bend, and wear no polish that their pictures would miss.
+bool is_polished_all_over(const SceneView& view, const world::Material& material, std::uint32_t part) {
+    return material.roughness < kDullDielectric && material.metallic_roughness_texture == world::kNoIndex &&
+           material.normal_texture == world::kNoIndex && !material.has_layers &&
+           view.level.parts[part].mover != world::Mover::Guard;
+}
+
+// The mesh's normals at the triangle's corners, or its own.
+void add_smooth_normals(const world::Mesh& mesh, const glm::uvec3& corners, const glm::mat3& to_world,
+                        GuideTriangle& triangle) {
+    triangle.smooth = triangle.normal;
+    if (mesh.normals.empty()) return;
+    const glm::mat3 turn = normal_matrix(to_world);
+    const auto at = [&](std::uint32_t corner) {
+        return unit_or(turn * mesh.normals[corner], triangle.normal);
+    };
+    triangle.smooth = at(corners.x);
+    triangle.smooth_edge1 = at(corners.y) - triangle.smooth;
+    triangle.smooth_edge2 = at(corners.z) - triangle.smooth;
+}
 
 }  // namespace
 
@@ -49,6 +72,8 @@ const GuideTriangle& GuideTriangles::of(const SceneView& view, const rc::Hit& hi
     const glm::mat3 to_world = linear_part(view.snapshot.scene->instance(hit.instance).world_from_instance);
     const HitTriangle corners = corners_of(view, mesh, hit, to_world, triangle.is_textured);
     triangle.normal = unit_or(glm::cross(corners.edge1, corners.edge2), glm::vec3(0.0f));
+    triangle.is_polished = is_polished_all_over(view, *triangle.material, hit.instance);
+    if (triangle.is_polished) add_smooth_normals(mesh, corners.index, to_world, triangle);
     if (!triangle.is_textured) return triangle;
     triangle.uv = mesh.uvs[corners.index.x];
     triangle.uv_edge1 = corners.uv_edge1;

@@ -44,10 +44,13 @@ struct GuideTriangle {
     std::uint32_t instance = rc::kNone, primitive = rc::kNone;  // kNone: of no pixel yet
     bool is_plain = false;                                      // what is below counts only then
     bool is_textured = false;
+    bool is_polished = false;  // it mirrors, the same all over it
     const world::Material* material = nullptr;
     glm::vec3 normal{0.0f};  // unit; 0: it has no area
     glm::vec2 uv{0.0f}, uv_edge1{0.0f}, uv_edge2{0.0f};
     UvGradients gradients;
+    glm::vec3 smooth{0.0f}, smooth_edge1{0.0f},
+        smooth_edge2{0.0f};  // normals at its corners, if it is polished
 };
 
 // The triangles of the last pixels.

@@ -7,12 +7,16 @@
 
 namespace gh::render {
 
+class LastPicture;
+
 struct SceneView {
     const world::Level& level;
     const world::Snapshot& snapshot;  // of this very level
     const Prepared& prepared;         // for this very level
     // The world of the picture before, by which Film::planes know what moved. Null: nothing did.
     const world::Snapshot* before = nullptr;
+    // And that picture itself, by which a guide knows what is mirrored. Null: there was none.
+    const LastPicture* last = nullptr;
 };
 
 }  // namespace gh::render

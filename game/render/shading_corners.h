@@ -29,6 +29,12 @@ inline glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
     return length2 > 0.0f && length2 < rc::kInfinity ? v / std::sqrt(length2) : fallback;
 }
 
+// Turns normals: the transpose of the inverse, but for a positive factor.
+inline glm::mat3 normal_matrix(const glm::mat3& m) {
+    const glm::mat3 cofactor(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    return glm::dot(m[0], cofactor[0]) < 0.0f ? -cofactor : cofactor;
+}
+
 // `has_uvs`: or they are left 0.
 inline HitTriangle corners_of(const SceneView& view, const world::Mesh& mesh, const rc::Hit& hit,
                               const glm::mat3& to_world, bool has_uvs) {

@@ -2,6 +2,7 @@
 
 #include "base/contracts.h"
 #include "base/det_math.h"
+#include "render/polish.h"
 #include "render/shading_corners.h"
 
 #include <glm/geometric.hpp>
@@ -16,12 +17,6 @@ namespace gh::render {
 namespace {
 
 constexpr float kFlattestView = 0.02f;  // least cosine between a bent normal and the eye
-
-// Turns normals: the transpose of the inverse, but for a positive factor.
-glm::mat3 normal_matrix(const glm::mat3& m) {
-    const glm::mat3 cofactor(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-    return glm::dot(m[0], cofactor[0]) < 0.0f ? -cofactor : cofactor;
-}
 
 glm::vec3 smooth_normal(const SceneView& view, const world::Mesh& mesh, const rc::Hit& hit,
                         const HitTriangle& corners, const glm::mat3& normal_to_world,
@@ -174,10 +169,7 @@ ShadingPoint shading_point(const SceneView& view, const rc::Ray& ray, const rc::
 }
 
 glm::vec3 mirrored_direction(const glm::vec3& direction, const ShadingPoint& at) {
-    glm::vec3 mirrored = direction - at.normal * (2.0f * glm::dot(direction, at.normal));
-    const float height = glm::dot(mirrored, at.geometric);
-    if (height < 0.01f) mirrored += at.geometric * (0.01f - height);
-    return glm::normalize(mirrored);
+    return mirrored_direction(direction, at.normal, at.geometric);
 }
 
 Clearness clearness(const SceneView& view, const rc::Hit& hit) {

@@ -2,6 +2,7 @@
 #include "base/random.h"
 #include "render/colour.h"
 #include "render/fresnel.h"
+#include "render/polish.h"
 #include "render/tile.h"
 
 #include <glm/common.hpp>
@@ -12,19 +13,6 @@
 namespace gh::render {
 
 namespace {
-
-// Roughness: below the first pair a bulb is seen in the mirrored ray, above it as a highlight; above the second pair
-// no ray is sent and the ambient light stands in for what is mirrored.
-constexpr float kMirrorBelow = 0.06f, kHighlightAbove = 0.14f;
-constexpr float kRayBelow = 0.15f, kNoRayAbove = 0.25f;           // dielectrics
-constexpr float kMetalRayBelow = 0.25f, kNoMetalRayAbove = 0.4f;  // whose reflection is all they show
-constexpr float kDull = 0.6f,
-                kDullest = 0.8f;  // highlights of rough dielectrics fade into their diffuse light
-
-float smooth_step(float low, float high, float x) {
-    const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
-    return t * t * (3.0f - 2.0f * t);
-}
 
 // 0 where a weight is not worth following, 1 from twice that on: nothing pops in.
 float worth(float weight, float least) {
@@ -41,19 +29,14 @@ void TileTracer::shade_opaque(const PathRay& path, const ShadingPoint& at, const
     const glm::vec3 f0 = glm::mix(
         glm::min(at.specular_color * reflectance_head_on(at.material->ior), glm::vec3(1.0f)) * at.specular,
         at.base_color, at.metallic);
-    const float f90 = std::min(1.0f, 50.0f * brightest(f0));  // an index of 1 mirrors nothing at any angle
-    const glm::vec3 glossy = frame_.gloss.albedo(f0, f90, cos_eye, at.roughness);
+    const Polish polish = polish_of(frame_.gloss, f0, at.metallic, at.roughness, cos_eye);
+    const glm::vec3& glossy = polish.glossy;
     const glm::vec3 diffuse = at.base_color * ((1.0f - at.metallic) * (1.0f - brightest(glossy)));
 
     const float ray_share =
         path.depth < frame_.settings.max_depth
-            ? (1.0f - smooth_step(glm::mix(kRayBelow, kMetalRayBelow, at.metallic),
-                                  glm::mix(kNoRayAbove, kNoMetalRayAbove, at.metallic), at.roughness)) *
-                  worth(brightest(path.weight * glossy), frame_.settings.min_weight)
+            ? polish.ray_share * worth(brightest(path.weight * glossy), frame_.settings.min_weight)
             : 0.0f;
-    const float highlight_share = smooth_step(kMirrorBelow, kHighlightAbove, at.roughness);
-    const float shine =
-        highlight_share * (1.0f - (1.0f - at.metallic) * smooth_step(kDull, kDullest, at.roughness));
     const bool is_mirror = brightest(glossy) * ray_share > brightest(diffuse);
     const float alpha = at.roughness * at.roughness;
 
@@ -62,8 +45,8 @@ void TileTracer::shade_opaque(const PathRay& path, const ShadingPoint& at, const
                         .diffuse = diffuse,
                         .mirrored = glossy * (1.0f - ray_share),
                         .polished = glossy * ray_share,
-                        .highlight_share = highlight_share,
-                        .gloss = {at.normal, to_eye, f0 * shine, f90 * shine, alpha}};
+                        .highlight_share = polish.highlight_share,
+                        .gloss = {at.normal, to_eye, f0 * polish.shine, polish.f90 * polish.shine, alpha}};
     surface.path.is_leading = path.is_leading && !is_mirror;
     if (share_of(surface.path) == Share::Neighbours) {
         if (frame_.guide != nullptr) {

@@ -214,6 +214,16 @@ TEST(TemporalUpscale, ABulbIsAsBrightAsItIs) {
     EXPECT_NEAR(out.pixels[bulb - 1].x, 0.64f, 1e-6f);
 }
 
+// A guide may think that more shines than does: what lit pixels say is less than that comes off all around.
+TEST(TemporalUpscale, WhatAGuideTakesForTooBrightIsAsDarkAsItIs) {
+    Image out;
+    Shot shot = shoot(plain, plain, glm::vec2(0.0f), 3);
+    shot.light(plain);
+    for (glm::vec3& clean : shot.clean) clean = glm::vec3(5.0f);  // of light of .64
+    filter::TemporalUpscaler().add(shot.frame(), Jobs(1), out);
+    for (const glm::vec3& pixel : out.pixels) EXPECT_NEAR(pixel.x, 0.64f, 1e-5f);
+}
+
 // The samples around a pixel bound what is believed of its past: with all of them 0, so is it.
 TEST(TemporalUpscale, ALampSwitchedOffIsDarkInTheNextPicture) {
     filter::TemporalUpscaler upscaler;

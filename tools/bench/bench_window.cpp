@@ -37,7 +37,6 @@ void bench_view(const render::SceneView& scene, const world::Viewpoint& viewpoin
     const render::WhittedSettings quality = app::quality_of(present::QualityName::Medium).whitted;
     app::GuidedPicture pictures;
     render::Film film(shape.lit.x, shape.lit.y);
-    Image picture;
     WindowStages stages;
     for (int round = 0; round < rounds; ++round) {
         const auto frame = static_cast<std::uint32_t>(round);
@@ -47,11 +46,11 @@ void bench_view(const render::SceneView& scene, const world::Viewpoint& viewpoin
                  [&] { settings.jitter = pictures.begin(scene, camera, quality, frame, shape, jobs); });
         settings.texture_blur = app::GuidedPicture::texture_blur(shape);
         add_time(stages.light, [&] { render::render_whitted(scene, camera, settings, frame, jobs, film); });
-        add_time(stages.put_together, [&] { pictures.add(film.radiance, jobs, picture); });
+        add_time(stages.put_together, [&] { pictures.add(film.radiance, jobs); });
     }
     print_row(viewpoint.name + ": what every pixel shows", stages.guide);
     print_row("  light", stages.light, picture_hash(film.radiance));
-    print_row("  put together", stages.put_together, picture_hash(picture));
+    print_row("  put together", stages.put_together, picture_hash(pictures.picture()));
 }
 
 }  // namespace

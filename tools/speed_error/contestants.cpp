@@ -104,7 +104,8 @@ std::function<Run()> guided_run(const WhittedSettings& settings) {
             jittered.texture_blur = gh::app::GuidedPicture::texture_blur(shape);
             whitted_frame(shot, jittered, lit);
             const double rendered = core_ms();
-            memory->guided.add(lit.radiance, shot.jobs, film.radiance);
+            memory->guided.add(lit.radiance, shot.jobs);
+            film.radiance = memory->guided.picture();
             film.stats = lit.stats;
             return StageTimes{.render_ms = rendered - start, .filter_ms = core_ms() - rendered};
         };

@@ -1,0 +1,73 @@
+// render/guide_gleams.h - what polished floors and columns mirror, in every pixel of a guide: what the last picture showed of
+// it, what shines by itself, and lamps' highlights.
+//
+// It is added to what a guide calls clean. Whoever lights few pixels takes that off their light, and what is left is smooth
+// enough to be spread: the guide need not be right, only sharp. Pixels whose mirrored ray met what the last picture did
+// not show are marked by another part number, so that none of these lends its light to one of the others.
+//
+// Cost      a mirrored ray and, where a highlight lies, a shadow ray a polished pixel.
+// Same bits pure; what is added depends on the pixel alone.
+#pragma once
+
+#include "render/film.h"
+#include "render/frame_light.h"
+#include "render/gloss.h"
+#include "render/guide_colors.h"
+#include "render/guide_point.h"
+#include "render/last_picture.h"
+#include "render/transmittance.h"
+
+#include "raycore/ray.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace gh::render {
+
+class GleamTracer {
+  public:
+    struct World {
+        const SceneView& view;
+        const FrameLight& light;
+        const GlossTable& gloss;
+    };
+    explicit GleamTracer(const World& world) : world_(world) {}
+
+    // A pixel that shows a polished triangle. The ray's direction is unit.
+    void add(const GuideTriangle& triangle, const rc::Ray& ray, const rc::Hit& hit, std::size_t pixel,
+             FilmPlanes& planes);
+
+    // For all that were added since the last time.
+    void trace(FilmPlanes& planes);
+
+  private:
+    struct Gleam {
+        glm::vec3 weight;  // of what the mirrored ray brings
+        float bulb_share;  // of lamps' bulbs, that it shows
+        std::size_t pixel;
+    };
+    struct Highlight {
+        glm::vec3 light;
+        std::size_t pixel;
+    };
+    void add_highlights(std::size_t pixel, const rc::SurfacePoint& at, const glm::vec3& mirrored,
+                        const Gloss& gloss);
+    // What is known of it; what is not marks the pixel.
+    void add_mirrored(const Gleam& gleam, const rc::Ray& ray, const rc::Hit& hit, FilmPlanes& planes);
+    // If it shines by itself, that.
+    [[nodiscard]] bool add_shining(const Gleam& gleam, const rc::Ray& ray, const rc::Hit& hit,
+                                   FilmPlanes& planes);
+
+    World world_;
+    GuideTriangles triangles_;
+    GuideColors colors_{1.0f};
+    glm::vec3 unused_{0.0f};  // colour of what is mirrored
+    std::vector<rc::Ray> rays_, shadow_rays_;
+    std::vector<rc::Hit> hits_;
+    std::vector<Gleam> gleams_;
+    std::vector<Highlight> highlights_;
+    std::vector<glm::vec3> shares_;
+    ShadowBatch shadows_;
+};
+
+}  // namespace gh::render
