@@ -40,7 +40,7 @@ static void fit_block(float* block, std::uint32_t corners, const float* position
     Quad low = quad_of(0x1.fffffep127f), high = -low, low_of_all = low, high_of_all = high;
     for (std::uint32_t t = 0; t < n; ++t) {
         const auto p = [&](std::uint32_t i) -> const Quad& {
-            return corner[halves[t] >> (kCornerBits * i) & (kMaxCorners - 1)];
+            return corner[std::uint32_t{halves[t]} >> (kCornerBits * i) & (kMaxCorners - 1)];
         };
         const bool is_met = is_worth_keeping(p(0), p(1), p(2));
         halves[t] = std::uint16_t((halves[t] & ~kIsMet) | (is_met ? kIsMet : 0));
