@@ -39,6 +39,8 @@ struct FrameStats {
 // things, planes tell of the first one's; light on the others is in `clean`.
 struct FilmPlanes {
     static constexpr std::uint32_t kSky = 0xFFFFFFFFu;
+    // In a part's number, of a guide alone: it is polished, and what it mirrors was out of sight (guide_gleams.h).
+    static constexpr std::uint32_t kUnmirrored = 0x40000000u;
 
     glm::vec3 eye{0.0f}, corner{0.0f}, right{0.0f}, down{0.0f};  // of the lens
     // kSky: no surface. The same thing has the same number in every frame; another image of it may have another.

@@ -23,7 +23,6 @@ constexpr float kFaintestPolish =
     0.055f;                          // and so is what is mirrored where no more of it than that is given back
 constexpr float kWideOfLamp = 0.3f;  // of its distance
 constexpr float kGrazing = 0.02f;    // least cosine between a smooth normal and the eye
-constexpr std::uint32_t kUnseen = 0x40000000u;  // in a part's number: what it mirrors was out of sight
 
 // Whether a mirrored ray passes a lamp by so much that what highlight there is, is wide and smooth. Never for a sun.
 bool lies_aside(const LampReach& reach, const glm::vec3& from, const glm::vec3& direction) {
@@ -55,7 +54,7 @@ void GleamTracer::add(const GuideTriangle& triangle, const rc::Ray& ray, const r
         rays_.push_back(rc::spawn_ray(at, mirrored));
         gleams_.push_back({weight, 1.0f - polish.highlight_share, pixel});
     } else {
-        planes.part[pixel] |= kUnseen;
+        planes.part[pixel] |= FilmPlanes::kUnmirrored;
     }
     add_highlights(pixel, at, mirrored,
                    {normal, -ray.direction, polish.f0 * polish.shine, polish.f90 * polish.shine,
@@ -107,7 +106,7 @@ void GleamTracer::add_mirrored(const Gleam& gleam, const rc::Ray& ray, const rc:
     if (const auto seen = world_.view.last->seen(before, hit.instance)) {
         clean += gleam.weight * *seen;
     } else {
-        planes.part[gleam.pixel] |= kUnseen;
+        planes.part[gleam.pixel] |= FilmPlanes::kUnmirrored;
     }
 }
 

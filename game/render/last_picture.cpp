@@ -38,7 +38,7 @@ std::optional<glm::vec3> LastPicture::seen(const glm::vec3& position, std::uint3
         return std::nullopt;
     const auto pixel = static_cast<std::size_t>(point.y) * static_cast<std::size_t>(size_.x) +
                        static_cast<std::size_t>(point.x);
-    if (guide_.part[pixel] != part) return std::nullopt;
+    if ((guide_.part[pixel] & ~FilmPlanes::kUnmirrored) != part) return std::nullopt;
     const float off = glm::dot(guide_.position[pixel] - position, guide_.geometric[pixel]);
     if (!(std::abs(off) <= kOffPlane * glm::length(from_eye))) return std::nullopt;
     return radiance_at(point * per_pixel_);

@@ -82,6 +82,17 @@ TEST(LastPicture, FindsWhatItShowedAndNothingElse) {
     }
 }
 
+// A column that nobody knows the reflections of is seen in a floor all the same.
+TEST(LastPicture, FindsWhatIsPolishedItself) {
+    const Studio studio = polished_room();
+    render::FilmPlanes guide = guide_of(studio, nullptr);
+    const std::size_t middle = guide.part.size() / 2 + static_cast<std::size_t>(kSize.x) / 2;
+    const std::uint32_t part = guide.part[middle];
+    guide.part[middle] |= render::FilmPlanes::kUnmirrored;
+    const Image picture = filled(glm::vec3(0.3f));
+    EXPECT_TRUE(render::LastPicture(picture, guide, kSize).seen(guide.position[middle], part));
+}
+
 // By hand: the mirrored ray meets the wall at a height, and brings what the last picture, all of one colour, showed there.
 TEST(GuideGleams, AFloorMirrorsWhatTheLastPictureShowed) {
     Studio studio = polished_room();
