@@ -39,9 +39,11 @@ std::vector<BuildRef> place_instances(Scene::Data& scene) {
             continue;
         }
         kernel::InstanceView& view = scene.views[i];
-        for (std::size_t r = 0; r < 3; ++r)
-            for (std::size_t c = 0; c < 4; ++c)
+        for (std::size_t c = 0; c < 4; ++c) {
+            for (std::size_t r = 0; r < 3; ++r)
                 view.local_from_world[c][r] = placement->local_from_world[4 * r + c];
+            view.local_from_world[c][3] = 0.0;
+        }
         view.blas = instance.blas->data().view();
         view.layers = instance.layers;
         view.is_identity = instance.world_from_instance == glm::mat4x3(1.0f);

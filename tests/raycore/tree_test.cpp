@@ -13,6 +13,10 @@
 #include <cstring>
 #include <set>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace {
 
 using test::Mesh;
@@ -143,6 +147,20 @@ INSTANTIATE_TEST_SUITE_P(EveryQuality, Tree,
                          ::testing::Values(rc::BuildQuality::Fast, rc::BuildQuality::Default,
                                            rc::BuildQuality::High),
                          quality_name);
+
+// The lane of a ray's frame that means nothing is computed along: denormal, it would make every ray wait.
+TEST(Views, HoldNothingOfWhatMemoryHeldBefore) {
+#ifdef __GLIBC__
+    mallopt(M_PERTURB, 0x55);  // new memory is full of something
+#endif
+    rc::SceneBuilder builder;
+    builder.add({rc::build_blas(test::make_ball(glm::vec3(0.0f), 1.0f, 3).view())});
+    const auto scene = builder.commit();
+#ifdef __GLIBC__
+    mallopt(M_PERTURB, 0);
+#endif
+    for (const auto& column : scene->data().view.instances[0].local_from_world) EXPECT_EQ(column[3], 0.0);
+}
 
 // Everything a swept body could touch is offered to it: a triangle with a corner in the box is always visited.
 TEST(Visit, OffersEveryTriangleThatReachesIntoTheBox) {

@@ -44,8 +44,9 @@ struct BlasView {
 };
 
 struct alignas(64) InstanceView {
-    double local_from_world[4]
-                           [4];  // columns x, y, z, translation, four rows each: found and applied in double
+    // Columns x, y, z, translation, four rows each: found and applied in double. The fourth row means nothing and is
+    // zero: it is computed along, and what memory held before is often denormal, which a ray waits a tenth longer for.
+    double local_from_world[4][4];
     BlasView blas;
     std::uint32_t layers = 0;
     bool is_identity = false;  // the way into its frame changes no bit, and is not gone
