@@ -71,7 +71,7 @@ class GuideTracer {
             return true;
         }
         const GuideTriangle& triangle = triangles_.of(frame_.view, hit);
-        if (!triangle.is_plain) {
+        if (!triangle.is_plain && !(gleams_ && triangle.is_polished)) {
             note({}, at, *frame_.guide);  // should nothing come of it
             return false;
         }
@@ -114,7 +114,7 @@ void render_guide(const SceneView& scene, const Camera& camera, const WhittedSet
     WhittedSettings looks = settings;
     looks.samples_per_pixel = 1;
     looks.shares_samples = true;
-    const FrameLight light = frame_light(scene, false);
+    const FrameLight light = frame_light(scene, scene.last != nullptr);
     const Frame frame{.view = scene,
                       .settings = looks,
                       .light = light,

@@ -19,7 +19,7 @@ void GuideColors::add(const SceneView& view, const GuideTriangle& triangle, cons
         waiting_[looks_.count()] = {sum, factor};
         looks_.add(view.prepared.textures[texture], place_of(material, slot, place), cone);
     };
-    *sums.albedo = guide_albedo(glm::vec3(0.0f), 0.0f);
+    *sums.albedo = guide_albedo(glm::vec3(0.0f), material.metallic);
     add_one(material.base_color_texture, world::TextureSlot::BaseColor, glm::vec3(material.base_color),
             sums.albedo);
     const glm::vec3 emission = sums.weight * material.emission;

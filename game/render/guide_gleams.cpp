@@ -2,6 +2,7 @@
 
 #include "render/colour.h"
 #include "render/fresnel.h"
+#include "render/light_math.h"
 #include "render/polish.h"
 #include "render/sky.h"
 #include "world/layers.h"
@@ -22,7 +23,8 @@ constexpr float kFaintestHighlight = 3e-2f;  // W/m2/sr: highlights below are le
 constexpr float kFaintestPolish =
     0.055f;                          // and so is what is mirrored where no more of it than that is given back
 constexpr float kWideOfLamp = 0.3f;  // of its distance
-constexpr float kGrazing = 0.02f;    // least cosine between a smooth normal and the eye
+constexpr glm::vec3 kUnknownAlbedo(0.5f);  // of what is in a mirror or behind glass
+constexpr float kGrazing = 0.02f;          // least cosine between a smooth normal and the eye
 
 // Whether a mirrored ray passes a lamp by so much that what highlight there is, is wide and smooth. Never for a sun.
 bool lies_aside(const LampReach& reach, const glm::vec3& from, const glm::vec3& direction) {
@@ -31,6 +33,14 @@ bool lies_aside(const LampReach& reach, const glm::vec3& from, const glm::vec3& 
     const float distance2 = glm::dot(offset, offset);
     const float near = reach.extent + kWideOfLamp * std::sqrt(distance2);
     return distance2 - along * std::max(along, 0.0f) > near * near;
+}
+
+// Radiance that was baked along `direction`, about.
+glm::vec3 baked_reflection(const AmbientLight& ambient, const glm::vec3& position, const glm::vec3& normal,
+                           const glm::vec3& direction) {
+    glm::vec3 irradiance, reflected;
+    ambient.gather(position, normal, direction, irradiance, reflected);
+    return reflected;
 }
 
 }  // namespace
@@ -45,17 +55,23 @@ void GleamTracer::add(const GuideTriangle& triangle, const rc::Ray& ray, const r
                        triangle.normal);
     const float cos_eye = -glm::dot(normal, ray.direction);
     if (!(cos_eye > kGrazing)) return;
-    const glm::vec3 f0(std::min(reflectance_head_on(material.ior), 1.0f) * material.specular);
-    const Polish polish = polish_of(world_.gloss, f0, 0.0f, material.roughness, cos_eye);
+    const glm::vec3 f0 =
+        glm::mix(glm::vec3(std::min(reflectance_head_on(material.ior), 1.0f) * material.specular),
+                 glm::vec3(material.base_color), material.metallic);
+    const Polish polish = polish_of(world_.gloss, f0, material.metallic, material.roughness, cos_eye);
     const rc::SurfacePoint at = world_.view.snapshot.scene->surface(hit);
     const glm::vec3 mirrored = mirrored_direction(ray.direction, normal, geometric);
     const glm::vec3 weight = polish.glossy * polish.ray_share;
+    const bool is_metal = material.metallic > 0.0f;
     if (brightest(weight) > kFaintestPolish) {
         rays_.push_back(rc::spawn_ray(at, mirrored));
-        gleams_.push_back({weight, 1.0f - polish.highlight_share, pixel});
-    } else {
+        gleams_.push_back({weight, 1.0f - polish.highlight_share, pixel, is_metal});
+    } else if (!is_metal) {
         planes.part[pixel] |= FilmPlanes::kUnmirrored;
     }
+    if (is_metal)
+        planes.clean.pixels[pixel] +=
+            (polish.glossy - weight) * baked_reflection(world_.light.ambient, at.position, normal, mirrored);
     add_highlights(pixel, at, mirrored,
                    {normal, -ray.direction, polish.f0 * polish.shine, polish.f90 * polish.shine,
                     material.roughness * material.roughness});
@@ -105,16 +121,34 @@ void GleamTracer::add_mirrored(const Gleam& gleam, const rc::Ray& ray, const rc:
     const glm::vec3 before = previous_position(world_.view, hit, ray.origin + ray.direction * hit.t);
     if (const auto seen = world_.view.last->seen(before, hit.instance)) {
         clean += gleam.weight * *seen;
+    } else if (gleam.is_of_metal) {
+        guess(gleam, ray, hit);
     } else {
         planes.part[gleam.pixel] |= FilmPlanes::kUnmirrored;
     }
 }
 
+void GleamTracer::guess(const Gleam& gleam, const rc::Ray& ray, const rc::Hit& hit) {
+    const GuideTriangle& triangle = triangles_.of(world_.view, hit);
+    const bool is_known = triangle.is_plain || triangle.is_polished;
+    const glm::vec3 normal = is_known ? triangle.normal : ray.direction;
+    const glm::vec3 facing = glm::dot(normal, ray.direction) > 0.0f ? -normal : normal;
+    const glm::vec3 position = ray.origin + ray.direction * hit.t;
+    const glm::vec3 radiance = world_.light.ambient.irradiance(position, facing) * kPerPi;
+    guesses_.push_back({gleam.weight * radiance, kUnknownAlbedo, gleam.pixel});
+    if (is_known)
+        colors_.add(world_.view, triangle, hit, {ray.direction, triangle.normal, 0.0f},
+                    {&guesses_.back().albedo, &unused_, glm::vec3(0.0f)});
+}
+
 void GleamTracer::trace(FilmPlanes& planes) {
     hits_.resize(rays_.size());
     rc::closest_hits(*world_.view.snapshot.scene, rays_, world::Light, hits_);
+    guesses_.reserve(gleams_.size());  // colours wait for their places in it
     for (std::size_t i = 0; i < gleams_.size(); ++i) add_mirrored(gleams_[i], rays_[i], hits_[i], planes);
     colors_.flush();
+    for (const Guess& guess : guesses_) planes.clean.pixels[guess.pixel] += guess.light * guess.albedo;
+    guesses_.clear();
     shares_.resize(shadow_rays_.size());
     shadows_.answer(world_.view, shadow_rays_, shares_);
     for (std::size_t i = 0; i < highlights_.size(); ++i)

@@ -1,9 +1,10 @@
-// render/guide_gleams.h - what polished floors and columns mirror, in every pixel of a guide: what the last picture showed of
-// it, what shines by itself, and lamps' highlights.
+// render/guide_gleams.h - what polished floors, columns and metals mirror, in every pixel of a guide: what the last picture
+// showed of it, what shines by itself, and lamps' highlights.
 //
 // It is added to what a guide calls clean. Whoever lights few pixels takes that off their light, and what is left is smooth
 // enough to be spread: the guide need not be right, only sharp. Pixels whose mirrored ray met what the last picture did
-// not show are marked by another part number, so that none of these lends its light to one of the others.
+// not show are marked by another part number, so that none of these lends its light to one of the others. Metals show nothing
+// else, and are thin and bent: neighbours have little to lend, so what was out of sight is guessed there, and not marked.
 //
 // Cost      a mirrored ray and, where a highlight lies, a shadow ray a polished pixel.
 // Same bits pure; what is added depends on the pixel alone.
@@ -45,6 +46,12 @@ class GleamTracer {
         glm::vec3 weight;  // of what the mirrored ray brings
         float bulb_share;  // of lamps' bulbs, that it shows
         std::size_t pixel;
+        bool is_of_metal;
+    };
+    struct Guess {
+        glm::vec3 light;  // times this colour
+        glm::vec3 albedo;
+        std::size_t pixel;
     };
     struct Highlight {
         glm::vec3 light;
@@ -52,11 +59,14 @@ class GleamTracer {
     };
     void add_highlights(std::size_t pixel, const rc::SurfacePoint& at, const glm::vec3& mirrored,
                         const Gloss& gloss);
-    // What is known of it; what is not marks the pixel.
+    // What is known of it; what is not is guessed or marks the pixel.
     void add_mirrored(const Gleam& gleam, const rc::Ray& ray, const rc::Hit& hit, FilmPlanes& planes);
     // If it shines by itself, that.
     [[nodiscard]] bool add_shining(const Gleam& gleam, const rc::Ray& ray, const rc::Hit& hit,
                                    FilmPlanes& planes);
+
+    // About what is there: its own colour, under the light that was baked.
+    void guess(const Gleam& gleam, const rc::Ray& ray, const rc::Hit& hit);
 
     World world_;
     GuideTriangles triangles_;
@@ -65,6 +75,7 @@ class GleamTracer {
     std::vector<rc::Ray> rays_, shadow_rays_;
     std::vector<rc::Hit> hits_;
     std::vector<Gleam> gleams_;
+    std::vector<Guess> guesses_;
     std::vector<Highlight> highlights_;
     std::vector<glm::vec3> shares_;
     ShadowBatch shadows_;

@@ -12,11 +12,19 @@ namespace {
 // mirrors as much as the plank beside it. Pictures lit in every ninth pixel err least between .1 and .2 (README.md).
 constexpr float kPolish = 0.15f;
 
+bool is_solid(const world::Material& material) {
+    return material.alpha_mode == world::AlphaMode::Opaque && !(material.transmission > 0.0f);
+}
+
 // Guards bend, and wear no polish that their pictures would miss.
 bool is_polished_all_over(const SceneView& view, const world::Material& material, std::uint32_t part) {
-    return material.roughness < kDullDielectric && material.metallic_roughness_texture == world::kNoIndex &&
-           material.normal_texture == world::kNoIndex && !material.has_layers &&
-           view.level.parts[part].mover != world::Mover::Guard;
+    if (material.metallic_roughness_texture != world::kNoIndex ||
+        material.normal_texture != world::kNoIndex || material.has_layers ||
+        view.level.parts[part].mover == world::Mover::Guard)
+        return false;
+    if (is_plain(material)) return material.roughness < kDullDielectric;
+    return is_solid(material) && material.base_color_texture == world::kNoIndex &&
+           material.roughness > kClearMirror;
 }
 
 // The mesh's normals at the triangle's corners, or its own.
@@ -53,8 +61,7 @@ glm::vec3 previous_position(const SceneView& view, const rc::Hit& hit, const glm
 }
 
 bool is_plain(const world::Material& material) {
-    return material.alpha_mode == world::AlphaMode::Opaque && !(material.transmission > 0.0f) &&
-           !(material.metallic > 0.0f);
+    return is_solid(material) && !(material.metallic > 0.0f);
 }
 
 const GuideTriangle& GuideTriangles::of(const SceneView& view, const rc::Hit& hit) {
@@ -67,12 +74,12 @@ const GuideTriangle& GuideTriangles::of(const SceneView& view, const rc::Hit& hi
     triangle.primitive = hit.primitive;
     triangle.material = &view.level.materials[material];
     triangle.is_plain = is_plain(*triangle.material);
-    if (!triangle.is_plain) return triangle;
+    triangle.is_polished = is_polished_all_over(view, *triangle.material, hit.instance);
+    if (!triangle.is_plain && !triangle.is_polished) return triangle;
     triangle.is_textured = !mesh.uvs.empty() && view.prepared.material_textures[material].count > 0;
     const glm::mat3 to_world = linear_part(view.snapshot.scene->instance(hit.instance).world_from_instance);
     const HitTriangle corners = corners_of(view, mesh, hit, to_world, triangle.is_textured);
     triangle.normal = unit_or(glm::cross(corners.edge1, corners.edge2), glm::vec3(0.0f));
-    triangle.is_polished = is_polished_all_over(view, *triangle.material, hit.instance);
     if (triangle.is_polished) add_smooth_normals(mesh, corners.index, to_world, triangle);
     if (!triangle.is_textured) return triangle;
     triangle.uv = mesh.uvs[corners.index.x];

@@ -42,9 +42,10 @@ void note(const GuidePoint& point, std::size_t pixel, FilmPlanes& planes);
 // What all pixels have in common that show the same triangle: neighbours mostly do.
 struct GuideTriangle {
     std::uint32_t instance = rc::kNone, primitive = rc::kNone;  // kNone: of no pixel yet
-    bool is_plain = false;                                      // what is below counts only then
+    bool is_plain = false;
+    bool is_polished =
+        false;  // it mirrors, the same all over it, but is no clear mirror; what is below counts if either
     bool is_textured = false;
-    bool is_polished = false;  // it mirrors, the same all over it
     const world::Material* material = nullptr;
     glm::vec3 normal{0.0f};  // unit; 0: it has no area
     glm::vec2 uv{0.0f}, uv_edge1{0.0f}, uv_edge2{0.0f};

@@ -12,7 +12,7 @@ namespace {
 
 // Roughness: below the first pair a bulb is seen in the mirrored ray, above it as a highlight; above the second pair
 // no ray is sent and the ambient light stands in for what is mirrored.
-constexpr float kMirrorBelow = 0.06f, kHighlightAbove = 0.14f;
+constexpr float kMirrorBelow = kClearMirror, kHighlightAbove = 0.14f;
 constexpr float kRayBelow = 0.15f;                                // dielectrics
 constexpr float kMetalRayBelow = 0.25f, kNoMetalRayAbove = 0.4f;  // whose reflection is all they show
 constexpr float kDull = 0.6f,

@@ -26,6 +26,8 @@ struct Polish {
 
 // From this roughness on a dielectric sends no mirrored ray.
 inline constexpr float kDullDielectric = 0.25f;
+// Up to this one a metal is looked into, not at.
+inline constexpr float kClearMirror = 0.06f;
 
 // The direction a mirror sends a ray on. Where a bent normal would send it into the surface it just grazes it. Normals
 // are unit.
