@@ -27,6 +27,15 @@ static inline Quad quad_of(float a) {
 static inline Quad quad_max(Quad a, Quad b) {
     return a > b ? a : b;
 }
+static inline Quad quad_min(Quad a, Quad b) {
+    return a < b ? a : b;
+}
+// The largest of three, in every lane that means something: nobody waits until one number is spread again.
+static inline Quad largest(Quad a) {
+    const Quad next = __builtin_shufflevector(a, a, 1, 2, 0, 3),
+               last = __builtin_shufflevector(a, a, 2, 0, 1, 3);
+    return quad_max(quad_max(a, next), last);
+}
 static inline Quad with_bits(QuadBits bits) {
     return reinterpret_cast<Quad>(bits);
 }
@@ -155,7 +164,7 @@ static inline void shear(const Way& way, const float* origin, const float* direc
     ray.kz = axes.z;
     ray.kx = axes.x;
     ray.ky = axes.y;
-    ray.dz_abs = larger(larger(size[0], size[1]), size[2]);
+    ray.dz_abs = largest(size)[0];
     ray.dz = direction[ray.kz];
     const Quad slope = ray.direction / quad_of(ray.dz);
     float slopes[4];
@@ -185,36 +194,37 @@ inline constexpr float kLeastPad = 0x1p-100f;  // what underflows
 static inline Quad reaches(const TreeBounds& tree, const LocalRay& ray) {
     return quad_max(absolute(load_quad(tree.min) - ray.origin), absolute(load_quad(tree.max) - ray.origin));
 }
-static inline float largest(Quad a) {
-    return larger(larger(a[0], a[1]), a[2]);
-}
 
 // For boxes without slack around them, and for rays that may meet something behind their origin: by what the bounds'
 // farthest points may err. A slope below 2^-40 strays from the true ray by less than the term with 2^-39.
 static inline Padding wide_padding(const LocalRay& ray, const TreeBounds& tree, float extra_pad) {
     const Quad reach = reaches(tree, ray);
-    const float reach_z = largest(reach);
-    return {(absolute(ray.origin) + reach) * quad_of(0x1p-21f) +
-                quad_of((0x1p-21f + 0x1p-39f) * reach_z + (extra_pad + kLeastPad)),
-            reach_z * 0x1p-21f + kLeastPad, 0.0f};
+    const Quad reach_z = largest(reach);
+    const Quad across = (absolute(ray.origin) + reach) * quad_of(0x1p-21f) + quad_of(extra_pad + kLeastPad);
+    return {across + reach_z * quad_of(0x1p-21f + 0x1p-39f), reach_z[0] * 0x1p-21f + kLeastPad, 0.0f};
 }
 
 // For boxes with their triangles' slack around them: no more than a point's own way from the origin.
 static inline Padding sharp_padding(const LocalRay& ray, const TreeBounds& tree) {
-    const float reach_z = largest(reaches(tree, ray));
-    return {absolute(ray.origin) * quad_of(0x1p-21f) + quad_of(0x1p-39f * reach_z + kLeastPad), kLeastPad,
-            0x1p-20f};
+    const Quad across = absolute(ray.origin) * quad_of(0x1p-21f) + quad_of(kLeastPad);
+    return {across + largest(reaches(tree, ray)) * quad_of(0x1p-39f), kLeastPad, 0x1p-20f};
+}
+
+// Below 2^-80 or above 2^80, asked at once: one over such a length, or over its shares, may overflow or vanish.
+static inline bool is_extreme(float length) {
+    constexpr std::uint32_t kLeast = 47u << 23, kMost = 207u << 23;  // as bits
+    std::uint32_t bits;
+    __builtin_memcpy(&bits, &length, sizeof(bits));
+    return bits - kLeast > kMost - kLeast;
 }
 
 static inline void aim(const LocalRay& ray, const Padding& padding, float t_min, float t_max, BoxRay& box) {
     const QuadBits sign = sign_of(ray.direction);
-    Quad length = quad_of(ray.dz_abs);
-    Quad size = quad_max(absolute(ray.direction), quad_of(ray.dz_abs * 0x1p-40f));
-    if (ray.dz_abs < 0x1p-80f) {  // the product may have vanished
-        size = quad_max(absolute(ray.direction / length), quad_of(0x1p-40f));
-        length = quad_of(1.0f);
-    }
-    const Quad rcp = with_sign(length / size, sign);
+    const Quad size = absolute(ray.direction), length = largest(size), one = quad_of(1.0f);
+    // Divided before it is known by how much: nobody waits for the two in turn.
+    Quad per_unit = length * (one / size);
+    if (__builtin_expect(is_extreme(ray.dz_abs), 0)) per_unit = one / (size / length);
+    const Quad rcp = with_sign(quad_min(per_unit, quad_of(0x1p40f)), sign);
     const Quad towards = with_sign(padding.pad, sign);
     box.near_rcp = rcp * quad_of(1.0f - padding.spread);
     box.far_rcp = rcp * quad_of(1.0f + padding.spread);
