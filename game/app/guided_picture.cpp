@@ -14,7 +14,7 @@ glm::vec2 GuidedPicture::begin(const render::SceneView& scene, const render::Cam
     render::SceneView view = scene;
     std::swap(guide_, guide_before_);
     std::optional<render::LastPicture> last;
-    if (has_picture_ && settings.mirrors_last) {
+    if (has_picture_) {
         last.emplace(picture_, guide_before_, shape_.shown());
         view.last = &*last;
     }

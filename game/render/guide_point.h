@@ -43,8 +43,8 @@ void note(const GuidePoint& point, std::size_t pixel, FilmPlanes& planes);
 struct GuideTriangle {
     std::uint32_t instance = rc::kNone, primitive = rc::kNone;  // kNone: of no pixel yet
     bool is_plain = false;
-    bool is_polished =
-        false;  // it mirrors, the same all over it, but is no clear mirror; what is below counts if either
+    bool is_polished = false;  // it mirrors, the same all over it, but is no clear mirror
+    // What is below counts if it is either.
     bool is_textured = false;
     const world::Material* material = nullptr;
     glm::vec3 normal{0.0f};  // unit; 0: it has no area

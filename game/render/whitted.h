@@ -45,8 +45,6 @@ struct WhittedSettings {
     // alone, a thin shadow or a small highlight, may be missed.
     bool is_adaptive = false;
     float contrast = 0.25f;
-    // Of pictures in a row, whose guide knows what the last one showed: polished surfaces mirror that, in every pixel.
-    bool mirrors_last = true;
     // Where in its pixel the only sample lies, from the middle, in [-0.5, 0.5): turned from frame to frame by what adds
     // frames up.
     glm::vec2 jitter{0.0f};

@@ -153,6 +153,61 @@ TEST(GuideGleams, WhatIsLeftToLightIsLittle) {
     EXPECT_LT(left, 0.05 * all);
 }
 
+// A ceiling that no picture showed: its pixels of the floor say that they do not know, the wall's say that they do.
+TEST(GuideGleams, WhatWasOutOfSightIsMarked) {
+    constexpr float kCeilingAt = 4.0f;
+    Studio studio = polished_room();
+    studio.level.lamps.clear();
+    const std::uint32_t ceiling =
+        studio.add_sheet({0, kCeilingAt, -1}, {6, 0, 0}, {0, 0, 3}, test::matte(glm::vec3(0.5f)));
+    studio.open();
+    const render::FilmPlanes before = guide_of(studio, nullptr);
+    for (const std::uint32_t part : before.part) ASSERT_NE(part, ceiling);
+    const Image picture = filled(glm::vec3(1.0f));
+    const render::LastPicture last(picture, before, kSize);
+    const render::FilmPlanes guide = guide_of(studio, &last);
+    int marked = 0;
+    for (std::size_t i = 0; i < guide.part.size(); ++i) {
+        if (before.part[i] != 0) continue;
+        const glm::vec3 way = glm::normalize(guide.position[i] - guide.eye);
+        const float up = -way.y / kCeilingAt, at_wall = -way.y / way.z * (kWallAt - guide.position[i].z);
+        const glm::vec2 above(guide.position[i].x + way.x / up, guide.position[i].z + way.z / up);
+        if (at_wall < 2.05f || std::abs(above.x) > 5.9f || std::abs(above.y + 1.0f) > 2.9f) continue;
+        ++marked;
+        EXPECT_EQ(guide.part[i], render::FilmPlanes::kUnmirrored) << i;
+        EXPECT_EQ(guide.clean.pixels[i], glm::vec3(0.0f)) << i;
+    }
+    EXPECT_GT(marked, 200);
+}
+
+// A board under the lamp takes its highlight from the floor.
+TEST(GuideGleams, HighlightsHaveShadows) {
+    for (const bool is_hidden : {false, true}) {
+        Studio studio = polished_room();
+        if (is_hidden)
+            studio.add_sheet({0.3f, 1.0f, -1.5f}, {1, 0, 0}, {0, 0, 1}, test::matte(glm::vec3(0.5f)));
+        studio.open();
+        const render::FilmPlanes before = guide_of(studio, nullptr);
+        const Image picture = filled(glm::vec3(0.0f));
+        const render::LastPicture last(picture, before, kSize);
+        const render::FilmPlanes guide = guide_of(studio, &last);
+        // Near the mirror image of the lamp, which the board covers from there.
+        const glm::vec3 lamp = studio.level.lamps[0].position;
+        const glm::vec3 image(lamp.x, -lamp.y, lamp.z);
+        float brightest = 0.0f;
+        for (std::size_t i = 0; i < guide.part.size(); ++i) {
+            const glm::vec3 way = glm::normalize(guide.position[i] - guide.eye);
+            if (before.part[i] == 0 && glm::dot(way, glm::normalize(image - guide.eye)) > 0.99f)
+                brightest = std::max(brightest, guide.clean.pixels[i].y);
+        }
+        if (is_hidden) {
+            EXPECT_EQ(brightest, 0.0f);
+        } else {
+            EXPECT_GT(brightest, 1.0f);
+        }
+    }
+}
+
 TEST(GuideGleams, ThreadsDoNotMatter) {
     const Studio studio = polished_room();
     const render::FilmPlanes before = guide_of(studio, nullptr);
