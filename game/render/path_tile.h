@@ -15,8 +15,8 @@
 #include "render/light_set.h"
 #include "render/path_ray.h"
 #include "render/path_tracer.h"
-#include "render/sample_sequence.h"
 #include "render/shading_point.h"
+#include "render/tile_samples.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
@@ -27,7 +27,7 @@
 
 namespace gh::render {
 
-inline constexpr int kPathTileSide = 16;
+inline constexpr int kPathTileSide = TileSamples::kSide;
 
 enum KernelFeature : unsigned { kClearKernel = 1, kPlanesKernel = 2 };
 inline constexpr unsigned kAllFeatures = kClearKernel | kPlanesKernel;
@@ -141,11 +141,11 @@ class PathTile {
     struct Onward : BsdfSample {
         float survival = 1.0f;  // brightest weight, were it not sent on purpose
     };
-    [[nodiscard]] Onward pick_onward(const Path& path, const Scatterer& here) const;
+    [[nodiscard]] Onward pick_onward(const Path& path, const Scatterer& here);
     void send_on(const Path& path, const Scatterer& here, const Onward& sample, FrameStats& stats);
     [[nodiscard]] Crossing crossing_at(const Path& path, const ShadingPoint& at) const;
     void go_straight_on(Path& path, const ShadingPoint& at, FrameStats& stats);
-    [[nodiscard]] bool survives(Path& path) const;
+    [[nodiscard]] bool survives(Path& path);
     void add(std::uint16_t pixel, Channel channel, const glm::vec3& light, bool is_indirect, bool is_beside);
 
     // path_tile_planes.inl
@@ -159,10 +159,16 @@ class PathTile {
     [[nodiscard]] glm::vec3 position_before(const ShadingPoint& at, const rc::Hit& hit) const;
     [[nodiscard]] std::size_t film_index(std::uint16_t pixel) const;
 
-    [[nodiscard]] rc::Ray eye_ray(const Path& path) const;
-    [[nodiscard]] glm::vec2 picture_point(const Path& path) const;
+    [[nodiscard]] rc::Ray eye_ray(const Path& path);
+    [[nodiscard]] glm::vec2 picture_point(const Path& path);
     [[nodiscard]] std::uint32_t dimension(const Path& path, std::uint32_t purpose) const;
-    [[nodiscard]] const SampleSequence& sequence(const Path& path) const { return sequences_[path.pixel]; }
+    // Random numbers of a path, for a purpose of this bounce.
+    [[nodiscard]] float one(const Path& path, std::uint32_t purpose) {
+        return samples_.one(path.pixel, path.sample, dimension(path, purpose));
+    }
+    [[nodiscard]] glm::vec2 two(const Path& path, std::uint32_t purpose) {
+        return samples_.two(path.pixel, path.sample, dimension(path, purpose));
+    }
     [[nodiscard]] bool fills_planes(const Path& path) const {
         return kHasPlanes && frame_.settings.fills_planes && path.is_leading && path.sample == 0;
     }
@@ -170,7 +176,7 @@ class PathTile {
     const PathFrame& frame_;
     Film* film_ = nullptr;
     int x_ = 0, y_ = 0, columns_ = 0, rows_ = 0;  // of the tile, pixels
-    std::vector<SampleSequence> sequences_;
+    TileSamples samples_;
     std::vector<Sum> sums_;
     std::vector<Unfolding> unfolding_;
     std::vector<Sum> beside_;  // of sums_, what is none of the surface that planes tell of

@@ -31,11 +31,9 @@ void PathTile<kFeatures>::trace(int tile_x, int tile_y, Film& film, FrameStats& 
     const auto pixels = static_cast<std::uint32_t>(columns_ * rows_);
     sums_.assign(pixels, {});
     begin_planes();
-    sequences_.clear();
     const auto samples = static_cast<std::uint32_t>(frame_.settings.samples_per_pixel);
-    const SampleSettings sampling{frame_.settings.sampler, samples, frame_.settings.seed};
-    for (int i = 0; i < columns_ * rows_; ++i)
-        sequences_.emplace_back(sampling, x_ + i % columns_, y_ + i / columns_, frame_.number);
+    samples_.begin({frame_.settings.sampler, samples, frame_.settings.seed}, x_, y_, columns_, rows_,
+                   frame_.number);
 
     const std::uint32_t together = std::max(1u, kPathsTogether / pixels);
     for (std::uint32_t sample = 0; sample < samples; sample += together) {
@@ -88,22 +86,23 @@ void PathTile<kFeatures>::add_eye_paths(std::uint32_t first_sample, std::uint32_
 // Where in the picture the sample lies: by the reconstruction filter's shape, which weighs every sample alike (Ernst et
 // al. 2006).
 template <unsigned kFeatures>
-glm::vec2 PathTile<kFeatures>::picture_point(const Path& path) const {
+glm::vec2 PathTile<kFeatures>::picture_point(const Path& path) {
     const glm::vec2 pixel(glm::ivec2(x_ + path.pixel % columns_, y_ + path.pixel / columns_));
     if (!frame_.settings.jitters) return pixel + frame_.settings.jitter + glm::vec2(0.5f);
-    return pixel + filter_point(frame_.settings.filter, sequence(path).two(path.sample, kPixelDimension));
+    return pixel +
+           filter_point(frame_.settings.filter, samples_.two(path.pixel, path.sample, kPixelDimension));
 }
 
 template <unsigned kFeatures>
-rc::Ray PathTile<kFeatures>::eye_ray(const Path& path) const {
+rc::Ray PathTile<kFeatures>::eye_ray(const Path& path) {
     const glm::vec2 point = picture_point(path);
     if (frame_.settings.shutter_from == nullptr) {
         if (!frame_.lens.has_aperture()) return frame_.lens.ray(point);
-        return frame_.lens.ray(point, sequence(path).two(path.sample, kApertureDimension));
+        return frame_.lens.ray(point, samples_.two(path.pixel, path.sample, kApertureDimension));
     }
-    const float time = sequence(path).one(path.sample, kShutterDimension);
+    const float time = samples_.one(path.pixel, path.sample, kShutterDimension);
     return between(frame_.lens_before, frame_.lens, time)
-        .ray(point, sequence(path).two(path.sample, kApertureDimension));
+        .ray(point, samples_.two(path.pixel, path.sample, kApertureDimension));
 }
 
 template <unsigned kFeatures>

@@ -28,14 +28,14 @@ float guided_density(const Bsdf& bsdf, const GleamGuide& guide, float own, const
 
 // Where the surface sends the path by itself, or now and then towards a gleam: one density for both together.
 template <unsigned kFeatures>
-auto PathTile<kFeatures>::pick_onward(const Path& path, const Scatterer& here) const -> Onward {
-    const float u_lobe = sequence(path).one(path.sample, dimension(path, kLobePurpose));
-    const glm::vec2 u = sequence(path).two(path.sample, dimension(path, kDirectionPurpose));
+auto PathTile<kFeatures>::pick_onward(const Path& path, const Scatterer& here) -> Onward {
+    const float u_lobe = one(path, kLobePurpose);
+    const glm::vec2 u = two(path, kDirectionPurpose);
     Onward onward{here.bsdf.sample(u_lobe, u)};
     onward.survival = brightest(onward.weight);
     if (here.guide.empty() || onward.lobe != Lobe::Diffuse) return onward;
-    if (sequence(path).one(path.sample, dimension(path, kGleamPurpose)) < kGleamShare) {
-        const float u_gleam = sequence(path).one(path.sample, dimension(path, kWhichGleamPurpose));
+    if (one(path, kGleamPurpose) < kGleamShare) {
+        const float u_gleam = one(path, kWhichGleamPurpose);
         onward.direction = here.guide.pick(u_gleam, u);
     }
     const LobeValue value = here.bsdf.value(Lobe::Diffuse, onward.direction);
@@ -50,9 +50,8 @@ void PathTile<kFeatures>::ask_lamp(const Path& path, const Scatterer& here, bool
     const ShadingPoint& at = here.at;
     const Bsdf& bsdf = here.bsdf;
     const LightQuery query{at.surface.position, bsdf.is_clear() ? glm::vec3(0.0f) : at.normal};
-    const auto light = frame_.lights.sample(at.surface, query,
-                                            sequence(path).one(path.sample, dimension(path, kLampPurpose)),
-                                            sequence(path).two(path.sample, dimension(path, kOnLampPurpose)));
+    const auto light =
+        frame_.lights.sample(at.surface, query, one(path, kLampPurpose), two(path, kOnLampPurpose));
     if (!light) return;
     // What glows without being a lamp is in the bake that a path ends in, and must not be counted twice.
     const bool is_baked =
@@ -180,12 +179,12 @@ void PathTile<kFeatures>::send_on(const Path& path, const Scatterer& here, const
 }
 
 template <unsigned kFeatures>
-bool PathTile<kFeatures>::survives(Path& path) const {
+bool PathTile<kFeatures>::survives(Path& path) {
     if (!frame_.settings.uses_roulette || path.depth <= kRouletteDepth) return true;
     // Radiance is squeezed in glass, and comes out again as it was.
     const float ior = sane(path.media.ior(), 1.0f, 5.0f);
     const float chance = std::min(1.0f, path.survival * ior * ior);
-    if (!(sequence(path).one(path.sample, dimension(path, kRoulettePurpose)) < chance)) return false;
+    if (!(one(path, kRoulettePurpose) < chance)) return false;
     path.weight /= chance;
     path.survival /= chance;
     return true;

@@ -64,7 +64,8 @@ void PathTile<kFeatures>::meet(Path path, const rc::Hit& hit, FrameStats& stats)
     path.cone_width += path.cone_angle * hit.t;
     const float taps =
         path.is_eye ? frame_.settings.texture_taps : std::min(kIndirectTaps, frame_.settings.texture_taps);
-    ShadingPoint at = shading_point(frame_.view, path.ray, hit, path.cone_width * frame_.settings.texture_blur, taps);
+    ShadingPoint at =
+        shading_point(frame_.view, path.ray, hit, path.cone_width * frame_.settings.texture_blur, taps);
     if (const world::Material* glass = path.media.top(); kHasClear && glass != nullptr) {
         const glm::vec3 left = sane_colour(absorbed(*glass, glm::distance(path.start, at.surface.position)));
         path.weight *= left;
@@ -121,7 +122,7 @@ bool PathTile<kFeatures>::passes_hole(Path& path, const ShadingPoint& at, FrameS
         covered = at.alpha < at.material->alpha_cutoff ? 0.0f : 1.0f;
     if (at.material->alpha_mode == world::AlphaMode::Blend) covered = sane(at.alpha, 0.0f, 1.0f);
     if (covered == 1.0f) return false;
-    if (sequence(path).one(path.sample, dimension(path, kHolePurpose)) < covered) return false;
+    if (one(path, kHolePurpose) < covered) return false;
     go_straight_on(path, at, stats);
     return true;
 }

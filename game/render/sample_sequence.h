@@ -11,7 +11,7 @@
 //
 // All are unbiased: the mean over seeds is the integral.
 //
-// Cost      5 to 40 ns a pair.
+// Cost      5 to 40 ns a pair; of blue noise for all pixels of a tile, tile_samples.h has them for less.
 // Threads   a value; copy it.
 // Same bits integers until the end: a function of (settings, pixel, frame, sample, dimension).
 #pragma once
@@ -38,6 +38,11 @@ class SampleSequence {
     // For one purpose each, in [0, 1): dimensions are independent of each other. `sample` < samples_per_pixel.
     [[nodiscard]] float one(std::uint32_t sample, std::uint32_t dimension) const;
     [[nodiscard]] glm::vec2 two(std::uint32_t sample, std::uint32_t dimension) const;
+
+    // What tile_samples.h goes by.
+    [[nodiscard]] std::uint32_t seed() const { return seed_; }
+    [[nodiscard]] std::uint32_t log2_count() const { return log2_count_; }
+    [[nodiscard]] std::uint32_t curve() const { return curve_; }
 
   private:
     [[nodiscard]] std::uint32_t index(std::uint32_t sample, std::uint32_t key) const;
