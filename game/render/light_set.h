@@ -15,6 +15,7 @@
 
 #include "render/frame_light.h"
 #include "render/gleams.h"
+#include "render/lamp_weights.h"
 #include "render/light_tree.h"
 #include "render/scene_view.h"
 #include "render/solid_angle.h"
@@ -24,10 +25,10 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace gh::render {
@@ -107,20 +108,23 @@ class LightSet {
     void add_lamps(const FrameLight& frame, std::vector<LightBounds>& bounds);
     void add_emitter(const Emitter& emitter, std::vector<LightBounds>& bounds);
     void add_triangle(const Emitter& emitter, std::uint32_t primitive, std::vector<LightBounds>& bounds);
-    // What a lamp of a list may give there.
+    // What lamps of a list may give there.
+    void weigh_listed(const LightQuery& query, std::span<const std::uint32_t> list,
+                      LampWeights::Weights& weights) const;
     [[nodiscard]] float listed_weight(std::uint32_t lamp, const LightQuery& query) const;
     struct Listed {
-        static constexpr std::size_t kKept = 16;
-        float weight = 0.0f;               // of all of them
-        float share = 0.0f;                // of picks
-        std::array<float, kKept> first{};  // weights of the list's first lamps
+        float weight = 0.0f;           // of all of them
+        float share = 0.0f;            // of picks
+        LampWeights::Weights first{};  // of the list's first lamps
     };
     [[nodiscard]] Listed listed_at(const LightQuery& query) const;
     [[nodiscard]] bool is_listed(const Light& light, const LightQuery& query) const;
+    [[nodiscard]] LightTree::Pick pick_listed(const LightQuery& query, const Listed& listed, float u) const;
     [[nodiscard]] std::optional<LightTree::Pick> pick_near(const LightQuery& query, float u) const;
     // With which a light is picked among those that are near.
     [[nodiscard]] float near_probability(const LightQuery& query, std::uint32_t light) const;
     void note_listed(std::uint32_t lamp, std::uint32_t light);
+    void weigh_lamps();
     // Suns and environment together: how much light they may give, how often one of them is picked.
     [[nodiscard]] float far_weight(const LightQuery& query) const;
     [[nodiscard]] float far_share(const LightQuery& query) const;
@@ -145,6 +149,8 @@ class LightSet {
         first_of_part_;  // light; kNoIndex: none. Triangles follow in their emitter's order
     std::vector<const Emitter*> emitter_of_part_;
     std::vector<std::uint32_t> light_of_lamp_;  // kNoIndex: not picked by list
+    std::vector<std::uint8_t> is_beam_;         // one a lamp
+    LampWeights lamp_weights_;
     std::vector<std::uint8_t> gleam_on_;
     std::shared_ptr<const KeptLightTree> tree_;
 };

@@ -47,7 +47,10 @@ LightBounds rect_bounds(const RectShape& rect, float power, bool is_double_sided
 
 LightSet::LightSet(const SceneView& view, const FrameLight& frame, const Environment* environment,
                    std::shared_ptr<const KeptLightTree>& kept)
-    : view_(view), environment_(environment) {
+    : view_(view),
+      environment_(environment),
+      is_beam_(view.level.lamps.size(), 0),
+      lamp_weights_(view.level.lamps.size()) {
     std::vector<LightBounds> bounds;
     light_of_lamp_.assign(view.level.lamps.size(), world::kNoIndex);
     add_lamps(frame, bounds);
@@ -64,6 +67,7 @@ LightSet::LightSet(const SceneView& view, const FrameLight& frame, const Environ
         if (lamp != world::kNoIndex && lights_[light].kind != Kind::Triangle) note_listed(lamp, light);
     }
     for (std::size_t i = 0; i < lights_.size(); ++i) lights_[i].power = bounds[i].power;
+    weigh_lamps();
     tree_ = kept = light_tree_of(std::move(bounds), std::move(kept));
     for (const Gleam& gleam : view.prepared.gleams.gleams) {
         const bool is_on = gleam.part != world::kNoIndex ? emitter_of_part_[gleam.part] != nullptr
@@ -116,6 +120,33 @@ void LightSet::add_lamps(const FrameLight& frame, std::vector<LightBounds>& boun
 void LightSet::note_listed(std::uint32_t lamp, std::uint32_t light) {
     light_of_lamp_[lamp] = light;
     lights_[light].listed_as = lamp;
+}
+
+// What lamps that are picked by list may give.
+void LightSet::weigh_lamps() {
+    using Sides = LampWeights::Sides;
+    for (const Light& light : lights_) {
+        if (light.listed_as == world::kNoIndex) continue;
+        LampWeights::Lamp lamp{.power = light.power};
+        if (light.kind == Kind::Rect) {
+            lamp.centre = light.rect.centre;
+            lamp.axis = light.rect.normal;
+            lamp.extent = glm::length(light.rect.half_u) + glm::length(light.rect.half_v);
+            lamp.sides = light.is_double_sided ? Sides::Both : Sides::Front;
+        } else if (light.kind == Kind::Ball) {
+            lamp.centre = light.ball.centre;
+            lamp.extent = light.ball.radius;
+        } else {
+            const world::Lamp& own = view_.level.lamps[light.listed_as];
+            lamp.centre = own.position;
+            lamp.axis = own.direction;
+            if (own.shape == world::LampShape::Spot) lamp.cos_outer = own.cos_outer;
+            lamp.power = 1.0f;
+            lamp.sides = Sides::Beam;
+            is_beam_[light.listed_as] = 1;
+        }
+        lamp_weights_.set(light.listed_as, lamp);
+    }
 }
 
 void LightSet::add_emitter(const Emitter& emitter, std::vector<LightBounds>& bounds) {

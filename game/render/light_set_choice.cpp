@@ -17,7 +17,6 @@ namespace gh::render {
 namespace {
 
 constexpr float kListedShare = 0.85f;  // of picks, where the lists know of lamps
-constexpr float kLeastFacing = 0.05f;
 
 }  // namespace
 
@@ -52,48 +51,41 @@ float LightSet::environment_density(const LightQuery& query, const glm::vec3& di
     return environment_->density(direction) * far_share(query) * own / far_weight(query);
 }
 
+// Of the first kTogether lamps of a list.
+void LightSet::weigh_listed(const LightQuery& query, std::span<const std::uint32_t> list,
+                            LampWeights::Weights& weights) const {
+    const auto lamps = list.first(std::min(list.size(), LampWeights::kTogether));
+    lamp_weights_.at(query, lamps, weights);
+    for (std::size_t i = 0; i < lamps.size(); ++i) {
+        if (is_beam_[lamps[i]] == 0 || !(weights[i] > 0.0f)) continue;
+        const world::Lamp& lamp = view_.level.lamps[lamps[i]];
+        weights[i] *=
+            mean(sane_light(lamp_irradiance(lamp, query.position, direction_to(lamp, query.position))));
+    }
+}
+
 float LightSet::listed_weight(std::uint32_t lamp, const LightQuery& query) const {
-    const std::uint32_t id = light_of_lamp_[lamp];
-    if (id == world::kNoIndex) return 0.0f;
-    const Light& light = lights_[id];
-    const glm::vec3 centre = light.kind == Kind::Rect   ? light.rect.centre
-                             : light.kind == Kind::Ball ? light.ball.centre
-                                                        : view_.level.lamps[lamp].position;
-    const float extent = light.kind == Kind::Rect
-                             ? glm::length(light.rect.half_u) + glm::length(light.rect.half_v)
-                             : light.ball.radius;
-    const glm::vec3 offset = centre - query.position;
-    const float distance2 = glm::dot(offset, offset);
-    const float distance = std::sqrt(distance2);
-    float share = 1.0f;
-    if (query.normal != glm::vec3(0.0f)) {
-        const float height = glm::dot(query.normal, offset) + extent;
-        if (!(height > 0.0f)) return 0.0f;
-        share = distance > 0.0f ? std::clamp(height / distance, kLeastFacing, 1.0f) : 1.0f;
-    }
-    if (light.kind == Kind::Point) {
-        const world::Lamp& own = view_.level.lamps[lamp];
-        return share *
-               mean(sane_light(lamp_irradiance(own, query.position, direction_to(own, query.position))));
-    }
-    if (light.kind == Kind::Rect) {
-        const float facing = -glm::dot(light.rect.normal, offset);
-        if (!light.is_double_sided && !(facing > 0.0f)) return 0.0f;
-        share *= distance > 0.0f ? std::clamp(std::abs(facing) / distance, kLeastFacing, 1.0f) : 1.0f;
-    }
-    return light.power * share / std::max(distance2, extent * extent);
+    LampWeights::Weights weights;
+    weigh_listed(query, {&lamp, 1}, weights);
+    return weights[0];
 }
 
 LightSet::Listed LightSet::listed_at(const LightQuery& query) const {
+    const auto list = view_.prepared.lamp_lists.at(query.position);
     Listed listed;
-    std::size_t count = 0, place = 0;
-    for (const std::uint32_t lamp : view_.prepared.lamp_lists.at(query.position)) {
-        const float own = listed_weight(lamp, query);
-        if (place < Listed::kKept) listed.first[place++] = own;
-        listed.weight += own;
-        count += light_of_lamp_[lamp] != world::kNoIndex;
+    LampWeights::Weights further;
+    for (std::size_t first = 0; first < list.size(); first += LampWeights::kTogether) {
+        LampWeights::Weights& weights = first == 0 ? listed.first : further;
+        weigh_listed(query, list.subspan(first), weights);
+        const std::size_t count = std::min(list.size() - first, LampWeights::kTogether);
+        for (std::size_t i = 0; i < count; ++i) listed.weight += weights[i];
     }
-    if (listed.weight > 0.0f) listed.share = count == lights_.size() ? 1.0f : kListedShare;
+    if (!(listed.weight > 0.0f)) return listed;
+    const auto count =
+        list.size() < lights_.size() ? 0 : std::count_if(list.begin(), list.end(), [&](std::uint32_t lamp) {
+            return light_of_lamp_[lamp] != world::kNoIndex;
+        });
+    listed.share = static_cast<std::size_t>(count) == lights_.size() ? 1.0f : kListedShare;
     return listed;
 }
 
@@ -103,24 +95,27 @@ bool LightSet::is_listed(const Light& light, const LightQuery& query) const {
     return std::binary_search(list.begin(), list.end(), light.listed_as);
 }
 
+LightTree::Pick LightSet::pick_listed(const LightQuery& query, const Listed& listed, float u) const {
+    const auto list = view_.prepared.lamp_lists.at(query.position);
+    float left = u * listed.weight, weight = 0.0f;
+    std::uint32_t chosen = world::kNoIndex;
+    LampWeights::Weights weights = listed.first;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const std::size_t place = i % LampWeights::kTogether;
+        if (i > 0 && place == 0) weigh_listed(query, list.subspan(i), weights);
+        if (!(weights[place] > 0.0f)) continue;
+        chosen = list[i];
+        weight = weights[place];
+        if (left < weight) break;
+        left -= weight;
+    }
+    return {light_of_lamp_[chosen], listed.share * weight / listed.weight};
+}
+
 // The lists' lamps by the lists only, all others by the tree only: one way to each, whose probability is known at once.
 std::optional<LightTree::Pick> LightSet::pick_near(const LightQuery& query, float u) const {
     const Listed listed = listed_at(query);
-    if (u < listed.share) {
-        float left = u / listed.share * listed.weight, weight = 0.0f;
-        std::uint32_t chosen = world::kNoIndex;
-        std::size_t place = 0;
-        for (const std::uint32_t lamp : view_.prepared.lamp_lists.at(query.position)) {
-            const float own = place < Listed::kKept ? listed.first[place] : listed_weight(lamp, query);
-            ++place;
-            if (!(own > 0.0f)) continue;
-            chosen = light_of_lamp_[lamp];
-            weight = own;
-            if (left < own) break;
-            left -= own;
-        }
-        return LightTree::Pick{chosen, listed.share * weight / listed.weight};
-    }
+    if (u < listed.share) return pick_listed(query, listed, u / listed.share);
     const LightTree::Pick pick =
         tree_->tree.pick(query, std::clamp((u - listed.share) / (1.0f - listed.share), 0.0f, 0x1.fffffep-1f));
     if (!(pick.probability > 0.0f) || is_listed(lights_[pick.light], query)) return std::nullopt;
