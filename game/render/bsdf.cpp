@@ -122,17 +122,23 @@ glm::vec3 Bsdf::schlick_at(float cosine) const {
     return schlick(f0_, f90_, cosine);
 }
 
-// What the coat lets in from one side.
-float Bsdf::coat_share(float cosine) const {
-    if (!(f90_ > 0.0f)) return 1.0f;
-    GlossEnergy::Share share;
+auto Bsdf::incoming(const glm::vec3& direction, const glm::vec3& local) const -> Incoming {
+    Incoming in{direction, local, facing_share(direction, local.z), {}};
+    const bool is_asked = gives_[index_of(Lobe::Diffuse)] || gives_[index_of(Lobe::Multi)];
+    if (!(in.open > 0.0f) || !is_asked || !(f90_ > 0.0f)) return in;
     if (is_smooth_) {
-        const float m = 1.0f - std::min(cosine, 1.0f);
-        share = {1.0f, m * m * m * m * m};
+        const float m = 1.0f - std::min(local.z, 1.0f);
+        in.coated = {1.0f, m * m * m * m * m};
     } else {
-        share = energy_.towards(cosine, roughness_);
+        in.coated = energy_.towards(local.z, roughness_);
     }
-    return std::max(0.0f, 1.0f - brightest(share.of(f0_, f90_) + multi_ * (1.0f - share.white)));
+    return in;
+}
+
+// What the coat lets in from one side.
+float Bsdf::coat_share(const GlossEnergy::Share& coated) const {
+    if (!(f90_ > 0.0f)) return 1.0f;
+    return std::max(0.0f, 1.0f - brightest(coated.of(f0_, f90_) + multi_ * (1.0f - coated.white)));
 }
 
 // 0 for directions that the triangle itself does not face.
@@ -194,7 +200,7 @@ BsdfSample Bsdf::sample_cosine(Lobe lobe, const glm::vec2& u) const {
     BsdfSample sample;
     const glm::vec3 local = cosine_hemisphere(u);
     sample.direction = basis_.world_from_local(local);
-    const LobeValue value = value_of(lobe, sample.direction, local);
+    const LobeValue value = value_of(lobe, incoming(sample.direction, local));
     sample.density = value.density;
     if (value.density > 0.0f) sample.weight = value.value / value.density;
     return sample;
@@ -221,49 +227,48 @@ BsdfSample Bsdf::sample_gloss(const glm::vec2& u) const {
 }
 
 BsdfValue Bsdf::value(const glm::vec3& direction) const {
-    const glm::vec3 local = basis_.local_from_world(direction);
+    const Incoming in = incoming(direction, basis_.local_from_world(direction));
     BsdfValue result{};
     for (std::size_t i = 0; i < lobes_; ++i) {
-        if (gives_[i]) result[i] = value_of(static_cast<Lobe>(i), direction, local);
+        if (gives_[i]) result[i] = value_of(static_cast<Lobe>(i), in);
     }
     return result;
 }
 
 LobeValue Bsdf::value(Lobe lobe, const glm::vec3& direction) const {
-    return value_of(lobe, direction, basis_.local_from_world(direction));
+    return value_of(lobe, incoming(direction, basis_.local_from_world(direction)));
 }
 
-LobeValue Bsdf::value_of(Lobe lobe, const glm::vec3& direction, const glm::vec3& local) const {
-    if (lobe == Lobe::Coat) return coat_value(direction);
+LobeValue Bsdf::value_of(Lobe lobe, const Incoming& in) const {
+    if (lobe == Lobe::Coat) return coat_value(in.direction);
     const float below =
-        has_layers_ && lobe != Lobe::Sheen ? eye_below_ * below_layers(direction, local.z) : 1.0f;
+        has_layers_ && lobe != Lobe::Sheen ? eye_below_ * below_layers(in.direction, in.local.z) : 1.0f;
     if (lobe == Lobe::Glass) {
         if (is_smooth_) return {};
-        const bool is_outside = glm::dot(direction, at_.geometric) > 0.0f;
-        if (is_outside != (local.z > 0.0f) || local.z == 0.0f) return {};
-        LobeValue glass = glass_value(local);
+        const bool is_outside = glm::dot(in.direction, at_.geometric) > 0.0f;
+        if (is_outside != (in.local.z > 0.0f) || in.local.z == 0.0f) return {};
+        LobeValue glass = glass_value(in.local);
         glass.value *= below;
         return glass;
     }
-    const float open = facing_share(direction, local.z);
-    if (!(open > 0.0f)) return {};
+    if (!(in.open > 0.0f)) return {};
     if (lobe == Lobe::Sheen) {
-        LobeValue sheen = sheen_value(direction, local);
-        sheen.value *= open;
+        LobeValue sheen = sheen_value(in.direction, in.local);
+        sheen.value *= in.open;
         return sheen;
     }
-    LobeValue result = lobe == Lobe::Gloss ? gloss_value(local) : cosine_value(lobe, local);
-    result.value *= open * (1.0f - clear_) * below;
+    LobeValue result = lobe == Lobe::Gloss ? gloss_value(in.local) : cosine_value(lobe, in);
+    result.value *= in.open * (1.0f - clear_) * below;
     return result;
 }
 
-LobeValue Bsdf::cosine_value(Lobe lobe, const glm::vec3& local) const {
-    const float even = local.z / kPi;
+LobeValue Bsdf::cosine_value(Lobe lobe, const Incoming& in) const {
+    const float even = in.local.z / kPi;
     LobeValue result{.density = probability(lobe) * even};
     if (lobe == Lobe::Diffuse) {
-        result.value = base_ * (coat_left_ * coat_share(local.z) * even);
+        result.value = base_ * (coat_left_ * coat_share(in.coated) * even);
     } else {
-        const float light = 1.0f - energy_.towards(local.z, roughness_).white;
+        const float light = 1.0f - in.coated.white;
         result.value = multi_ * ((1.0f - seen_.white) * light / std::max(1.0f - mean_.white, 1e-6f) * even);
     }
     return result;

@@ -95,7 +95,14 @@ class Bsdf {
     void draw_out();
     void weigh_coat();
     void choose_lobes();
-    [[nodiscard]] float coat_share(float cosine) const;
+    // A direction in which light comes in, and what several lobes ask about it.
+    struct Incoming {
+        glm::vec3 direction, local;
+        float open;                 // facing_share()
+        GlossEnergy::Share coated;  // what the coat turns away, where a lobe below it asks
+    };
+    [[nodiscard]] Incoming incoming(const glm::vec3& direction, const glm::vec3& local) const;
+    [[nodiscard]] float coat_share(const GlossEnergy::Share& coated) const;
     [[nodiscard]] float facing_share(const glm::vec3& direction, float cosine) const;
     [[nodiscard]] glm::vec3 schlick_at(float cosine) const;
 
@@ -116,8 +123,8 @@ class Bsdf {
     [[nodiscard]] BsdfSample sample_gloss(const glm::vec2& u) const;
     [[nodiscard]] BsdfSample sample_smooth_glass(float u_choice) const;
     [[nodiscard]] BsdfSample sample_rough_glass(float u_choice, const glm::vec2& u) const;
-    [[nodiscard]] LobeValue value_of(Lobe lobe, const glm::vec3& direction, const glm::vec3& local) const;
-    [[nodiscard]] LobeValue cosine_value(Lobe lobe, const glm::vec3& local) const;
+    [[nodiscard]] LobeValue value_of(Lobe lobe, const Incoming& in) const;
+    [[nodiscard]] LobeValue cosine_value(Lobe lobe, const Incoming& in) const;
     [[nodiscard]] LobeValue gloss_value(const glm::vec3& local) const;
     [[nodiscard]] LobeValue glass_value(const glm::vec3& local) const;
     [[nodiscard]] LobeValue bent_value(const glm::vec3& local) const;

@@ -108,13 +108,14 @@ class PathTile {
     [[nodiscard]] bool is_asked(int pixel) const;
     void add_eye_paths(std::uint32_t first_sample, std::uint32_t count);
     void trace_generation(FrameStats& stats);
+    void meet_together(std::size_t begin, std::size_t end, FrameStats& stats);
     void trace_shadows(FrameStats& stats);
     void note_what_to_look_through(FrameStats& stats);
     void settle(const Shadow& shadow, const rc::Ray& ray, const rc::Hit& hit, FrameStats& stats);
 
     // path_tile_shade.inl
     void meet_nothing(const Path& path);
-    void meet(Path path, const rc::Hit& hit, FrameStats& stats);
+    void meet(Path path, const rc::Hit& hit, ShadingPoint& at, FrameStats& stats);
     [[nodiscard]] bool passes_hole(Path& path, const ShadingPoint& at, FrameStats& stats);
     void add_emission(const Path& path, const ShadingPoint& at, const rc::Hit& hit);
     void add_bare_lamps(const Path& path, float t_max);

@@ -8,14 +8,17 @@
 #include "raycore/query.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 namespace gh::render {
 
 namespace {
 
-// How many hits ahead memory is asked for: a hit takes about a microsecond, a wait for memory a tenth of it.
-constexpr std::size_t kFetchIndices = 4, kFetchCorners = 2;
+// Hits that are made ready for shading side by side, while memory of those that follow is asked for.
+constexpr std::size_t kTogether = 16;
+constexpr float kIndirectTaps = 1.0f;  // of textures, where they are seen by scattered light
 constexpr std::uint32_t kPathsTogether =
     1024;  // at least, where there are that many samples: what rays in a batch share
 
@@ -114,14 +117,36 @@ void PathTile<kFeatures>::trace_generation(FrameStats& stats) {
     }
     hits_.resize(rays_.size());
     rc::closest_hits(*frame_.view.snapshot.scene, rays_, world::Light, hits_);
-    for (std::size_t i = 0; i < now_.size(); ++i) {
-        if (i + kFetchIndices < now_.size()) fetch_indices(frame_.view, hits_[i + kFetchIndices]);
-        if (i + kFetchCorners < now_.size()) fetch_corners(frame_.view, hits_[i + kFetchCorners]);
+    for (std::size_t i = 0; i < now_.size(); i += kTogether) {
+        const std::size_t end = std::min(i + kTogether, now_.size());
+        const std::size_t far = std::min(end + kTogether, now_.size());
+        for (std::size_t k = far; k < std::min(far + kTogether, now_.size()); ++k)
+            fetch_indices(frame_.view, hits_[k]);
+        for (std::size_t k = end; k < far; ++k) fetch_corners(frame_.view, hits_[k]);
+        meet_together(i, end, stats);
+    }
+}
+
+template <unsigned kFeatures>
+void PathTile<kFeatures>::meet_together(std::size_t begin, std::size_t end, FrameStats& stats) {
+    std::array<PointAsked, kTogether> asked;
+    std::array<ShadingPoint, kTogether> points;
+    std::size_t count = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+        if (hits_[i].is_miss()) continue;
+        Path& path = now_[i];
+        path.cone_width += path.cone_angle * hits_[i].t;
+        const float taps = path.is_eye ? frame_.settings.texture_taps
+                                       : std::min(kIndirectTaps, frame_.settings.texture_taps);
+        asked[count++] = {&path.ray, &hits_[i], path.cone_width * frame_.settings.texture_blur, taps};
+    }
+    shading_points(frame_.view, std::span(asked).first(count), std::span(points).first(count));
+    for (std::size_t i = begin, met = 0; i < end; ++i) {
         add_bare_lamps(now_[i], hits_[i].is_miss() ? rc::kInfinity : hits_[i].t);
         if (hits_[i].is_miss()) {
             meet_nothing(now_[i]);
         } else {
-            meet(now_[i], hits_[i], stats);
+            meet(now_[i], hits_[i], points[met++], stats);
         }
     }
 }

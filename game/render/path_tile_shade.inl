@@ -17,8 +17,7 @@ namespace gh::render {
 
 namespace {
 
-constexpr float kIndirectTaps = 1.0f;  // of textures, where they are seen by scattered light
-constexpr int kMostSplit = 4;          // panes one behind the other that split the eye's path
+constexpr int kMostSplit = 4;  // panes one behind the other that split the eye's path
 
 }  // namespace
 
@@ -60,12 +59,7 @@ void PathTile<kFeatures>::add_met_light(const Path& path, const glm::vec3& light
 }
 
 template <unsigned kFeatures>
-void PathTile<kFeatures>::meet(Path path, const rc::Hit& hit, FrameStats& stats) {
-    path.cone_width += path.cone_angle * hit.t;
-    const float taps =
-        path.is_eye ? frame_.settings.texture_taps : std::min(kIndirectTaps, frame_.settings.texture_taps);
-    ShadingPoint at =
-        shading_point(frame_.view, path.ray, hit, path.cone_width * frame_.settings.texture_blur, taps);
+void PathTile<kFeatures>::meet(Path path, const rc::Hit& hit, ShadingPoint& at, FrameStats& stats) {
     if (const world::Material* glass = path.media.top(); kHasClear && glass != nullptr) {
         const glm::vec3 left = sane_colour(absorbed(*glass, glm::distance(path.start, at.surface.position)));
         path.weight *= left;

@@ -102,6 +102,80 @@ void fetch(const std::vector<T>& array, std::size_t index) {
     __builtin_prefetch(array.data() + index);
 }
 
+// A point whose textures are still to be looked up.
+struct MetPlace {
+    const world::Mesh* mesh = nullptr;
+    const MaterialTextures* textures = nullptr;
+    glm::mat3 to_world{1.0f};
+    HitTriangle corners;
+    glm::vec3 direction{0.0f}, outward{0.0f}, normal{0.0f};
+    bool has_uvs = false;
+    std::size_t first_look = 0;
+};
+
+MetPlace met_place(const SceneView& view, const rc::Ray& ray, const rc::Hit& hit, ShadingPoint& point) {
+    EXPECTS(!hit.is_miss());
+    MetPlace met;
+    met.mesh = &view.level.meshes[view.level.parts[hit.instance].mesh];
+    const std::uint32_t id = met.mesh->materials[hit.primitive];
+    const world::Material& material = view.level.materials[id];
+    met.textures = &view.prepared.material_textures[id];
+    met.to_world = linear_part(view.snapshot.scene->instance(hit.instance).world_from_instance);
+
+    point.surface = view.snapshot.scene->surface(hit);
+    point.material = &material;
+    point.part = hit.instance;
+    met.has_uvs = !met.mesh->uvs.empty() && (met.textures->count > 0 || material.has_layers);
+    met.corners = corners_of(view, *met.mesh, hit, met.to_world, met.has_uvs);
+    met.normal =
+        smooth_normal(view, *met.mesh, hit, met.corners, normal_matrix(met.to_world), point.surface.normal);
+
+    met.outward =
+        glm::dot(point.surface.normal, met.normal) < 0.0f ? -point.surface.normal : point.surface.normal;
+    met.direction = glm::normalize(ray.direction);
+    point.is_entering = glm::dot(met.direction, met.outward) <= 0.0f;
+    point.geometric = point.is_entering ? met.outward : -met.outward;
+    return met;
+}
+
+void add_looks(const SceneView& view, MetPlace& met, const world::Material& material, float cone_width,
+               TextureLookUps& looks) {
+    met.first_look = looks.count();
+    if (!met.has_uvs || met.textures->count == 0) return;
+    const TexturePlace place{met.corners.uv, uv_gradients(met.corners)};
+    for (std::uint32_t i = 0; i < met.textures->count; ++i) {
+        const auto [texture, slot] = met.textures->slots[i];
+        looks.add(view.prepared.textures[texture], place_of(material, slot, place),
+                  {met.direction, met.outward, cone_width});
+    }
+}
+
+void add_materials(const MetPlace& met, const TextureLookUps& looks, ShadingPoint& point) {
+    using Slot = world::TextureSlot;
+    const world::Material& material = *point.material;
+    Texels texels;
+    for (std::uint32_t i = 0; met.has_uvs && i < met.textures->count; ++i)
+        texels.values[static_cast<std::size_t>(met.textures->slots[i].slot)] =
+            looks.value(met.first_look + i);
+    const glm::vec4 base = material.base_color * texels[Slot::BaseColor];
+    const glm::vec4 rough_metal = texels[Slot::MetallicRoughness];
+    point.base_color = glm::vec3(base);
+    point.alpha = base.w;
+    point.roughness = material.roughness * rough_metal.y;
+    point.metallic = material.metallic * rough_metal.z;
+    point.emission = material.emission * glm::vec3(texels[Slot::Emission]);
+    point.specular = material.specular;
+    glm::vec3 normal = met.normal;
+    point.smooth = facing_eye(point.is_entering ? normal : -normal, -met.direction);
+    const bool has_map = material.normal_texture != world::kNoIndex && met.has_uvs;
+    if (has_map || material.has_layers) {
+        const Tangents along = tangents_at(*met.mesh, met.corners, met.to_world, normal);
+        if (material.has_layers) add_layers(material, along, texels, point);
+        if (has_map) normal = mapped_normal(material, along, normal, texels[Slot::Normal]);
+    }
+    point.normal = facing_eye(point.is_entering ? normal : -normal, -met.direction);
+}
+
 }  // namespace
 
 void fetch_indices(const SceneView& view, const rc::Hit& hit) {
@@ -123,49 +197,35 @@ void fetch_corners(const SceneView& view, const rc::Hit& hit) {
 
 ShadingPoint shading_point(const SceneView& view, const rc::Ray& ray, const rc::Hit& hit, float cone_width,
                            float max_taps) {
-    EXPECTS(!hit.is_miss());
-    const world::Level& level = view.level;
-    const world::Mesh& mesh = level.meshes[level.parts[hit.instance].mesh];
-    const world::Material& material = level.materials[mesh.materials[hit.primitive]];
-    const glm::mat3 to_world = linear_part(view.snapshot.scene->instance(hit.instance).world_from_instance);
-
     ShadingPoint point;
-    point.surface = view.snapshot.scene->surface(hit);
-    point.material = &material;
-    point.part = hit.instance;
-    const MaterialTextures& textures = view.prepared.material_textures[mesh.materials[hit.primitive]];
-    const bool has_uvs = !mesh.uvs.empty() && (textures.count > 0 || material.has_layers);
-    const HitTriangle corners = corners_of(view, mesh, hit, to_world, has_uvs);
-    glm::vec3 normal = smooth_normal(view, mesh, hit, corners, normal_matrix(to_world), point.surface.normal);
-
-    const glm::vec3 outward =
-        glm::dot(point.surface.normal, normal) < 0.0f ? -point.surface.normal : point.surface.normal;
-    const glm::vec3 direction = glm::normalize(ray.direction);
-    point.is_entering = glm::dot(direction, outward) <= 0.0f;
-    point.geometric = point.is_entering ? outward : -outward;
-
-    const Texels texels =
-        has_uvs ? look_up(view.prepared.textures, material, textures, {corners.uv, uv_gradients(corners)},
-                          {direction, outward, cone_width}, max_taps)
-                : Texels();
-    using Slot = world::TextureSlot;
-    const glm::vec4 base = material.base_color * texels[Slot::BaseColor];
-    const glm::vec4 rough_metal = texels[Slot::MetallicRoughness];
-    point.base_color = glm::vec3(base);
-    point.alpha = base.w;
-    point.roughness = material.roughness * rough_metal.y;
-    point.metallic = material.metallic * rough_metal.z;
-    point.emission = material.emission * glm::vec3(texels[Slot::Emission]);
-    point.specular = material.specular;
-    point.smooth = facing_eye(point.is_entering ? normal : -normal, -direction);
-    const bool has_map = material.normal_texture != world::kNoIndex && has_uvs;
-    if (has_map || material.has_layers) {
-        const Tangents along = tangents_at(mesh, corners, to_world, normal);
-        if (material.has_layers) add_layers(material, along, texels, point);
-        if (has_map) normal = mapped_normal(material, along, normal, texels[Slot::Normal]);
-    }
-    point.normal = facing_eye(point.is_entering ? normal : -normal, -direction);
+    TextureLookUps looks;
+    MetPlace met = met_place(view, ray, hit, point);
+    add_looks(view, met, *point.material, cone_width, looks);
+    if (looks.count() > 0) looks.work_out(max_taps);
+    add_materials(met, looks, point);
     return point;
+}
+
+void shading_points(const SceneView& view, std::span<const PointAsked> asked,
+                    std::span<ShadingPoint> points) {
+    EXPECTS(asked.size() == points.size());
+    std::array<MetPlace, kPatches> met;
+    TextureLookUps looks;
+    for (std::size_t first = 0, next = 0; first < asked.size(); first = next) {
+        looks.clear();
+        for (; next < asked.size() && next - first < kPatches; ++next) {
+            const PointAsked& ask = asked[next];
+            const world::Mesh& mesh = view.level.meshes[view.level.parts[ask.hit->instance].mesh];
+            const std::size_t count =
+                view.prepared.material_textures[mesh.materials[ask.hit->primitive]].count;
+            if (looks.count() + count > kPatches || ask.max_taps != asked[first].max_taps) break;
+            points[next] = {};
+            met[next - first] = met_place(view, *ask.ray, *ask.hit, points[next]);
+            add_looks(view, met[next - first], *points[next].material, ask.cone_width, looks);
+        }
+        if (looks.count() > 0) looks.work_out(asked[first].max_taps);
+        for (std::size_t i = first; i < next; ++i) add_materials(met[i - first], looks, points[i]);
+    }
 }
 
 glm::vec3 mirrored_direction(const glm::vec3& direction, const ShadingPoint& at) {

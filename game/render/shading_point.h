@@ -9,6 +9,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <span>
+
 namespace gh::render {
 
 struct ShadingPoint {
@@ -40,6 +42,14 @@ struct ShadingPoint {
 // of the snapshot's scene.
 [[nodiscard]] ShadingPoint shading_point(const SceneView& view, const rc::Ray& ray, const rc::Hit& hit,
                                          float cone_width, float max_taps = static_cast<float>(kMostTaps));
+
+// Several at once, whose textures are looked up side by side: points[i] is shading_point() of asked[i].
+struct PointAsked {
+    const rc::Ray* ray;
+    const rc::Hit* hit;
+    float cone_width, max_taps;
+};
+void shading_points(const SceneView& view, std::span<const PointAsked> asked, std::span<ShadingPoint> points);
 
 // Tells the processor which memory shading_point() is going to read for this hit: in a scene of a million triangles each
 // of half a dozen arrays is a wait of its own. First for a hit that is dealt with some hits later, second a little before
