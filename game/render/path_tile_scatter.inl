@@ -14,9 +14,10 @@ namespace gh::render {
 
 namespace {
 
-constexpr int kRouletteDepth = 2;     // paths shorter than that go on whatever they carry
-constexpr float kRoughAlpha = 0.1f;   // gloss that scatters so widely is rough
-constexpr float kGleamShare = 0.35f;  // of diffuse paths, where gleams are seen
+constexpr int kRouletteDepth = 2;          // paths shorter than that go on whatever they carry ...
+constexpr float kLeastEarlyChance = 0.7f;  // ... or, where they end early, this often at least (README.md)
+constexpr float kRoughAlpha = 0.1f;        // gloss that scatters so widely is rough
+constexpr float kGleamShare = 0.35f;       // of diffuse paths, where gleams are seen
 
 // Of the diffuse lobe together with what seeks gleams, times the probability of picking it; `own` is the lobe's alone.
 float guided_density(const Bsdf& bsdf, const GleamGuide& guide, float own, const glm::vec3& direction) {
@@ -180,10 +181,12 @@ void PathTile<kFeatures>::send_on(const Path& path, const Scatterer& here, const
 
 template <unsigned kFeatures>
 bool PathTile<kFeatures>::survives(Path& path) {
-    if (!frame_.settings.uses_roulette || path.depth <= kRouletteDepth) return true;
+    const bool is_early = frame_.settings.ends_early && path.scatters > 0;
+    if (!frame_.settings.uses_roulette || (path.depth <= kRouletteDepth && !is_early)) return true;
     // Radiance is squeezed in glass, and comes out again as it was.
     const float ior = sane(path.media.ior(), 1.0f, 5.0f);
-    const float chance = std::min(1.0f, path.survival * ior * ior);
+    const float least = is_early ? kLeastEarlyChance : 0.0f;
+    const float chance = std::max(std::min(1.0f, path.survival * ior * ior), least);
     if (!(one(path, kRoulettePurpose) < chance)) return false;
     path.weight /= chance;
     path.survival /= chance;

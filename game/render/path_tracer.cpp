@@ -9,6 +9,7 @@ PathSettings realtime_path() {
     PathSettings settings;
     settings.max_depth = 8;
     settings.ends_in_bake = true;
+    settings.ends_early = true;
     settings.sampler = SampleKind::BlueNoise;
     settings.jitters = false;  // frames are added up: each lies elsewhere in its pixels
     settings.caustics = Caustics::Unbent;

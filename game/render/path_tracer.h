@@ -55,7 +55,8 @@ struct PathSettings {
     Caustics caustics = Caustics::Traced;
     bool seeks_gleams =
         true;  // sends some paths to the insides of lamp shades (gleams.h): less noise, no bias
-    bool uses_roulette = true;  // ends faint paths by chance, the others count for them
+    bool uses_roulette = true;  // ends faint paths by chance, the others count for them ...
+    bool ends_early = false;    // ... from the first scattering on: less time and more noise, no bias
     LightPaths lights = LightPaths::All;
     bool jitters = true;  // spreads samples over the pixel; otherwise all go through its middle ...
     glm::vec2 jitter{

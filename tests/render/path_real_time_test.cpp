@@ -44,5 +44,22 @@ TEST(PathRealTime, SeesInMirrorsWhatIsThere) {
     EXPECT_NEAR(mean_of(studio, into_mirror, render::realtime_path()) / truth, 1.0, 0.1);
 }
 
+// Paths that end early leave their share of the light to those that go on: in a dim room most of them do.
+TEST(PathRealTime, EndsPathsEarlyWithoutBias) {
+    Studio studio;
+    studio.add_box({-2, 0, -2}, {2, 3, 2}, test::matte(glm::vec3(0.3f)), true);
+    studio.add_sheet({0, 2.9f, 0}, {0.5f, 0, 0}, {0, 0, 0.5f}, test::glowing(5.0f));
+    studio.open({.bakes_ambient = true});
+    render::PathSettings settings = render::realtime_path();
+    settings.samples_per_pixel = 64;
+    settings.most_indirect =
+        rc::kInfinity;  // what is clamped is lost, and early ends make single paths brighter
+    ASSERT_TRUE(settings.ends_early);
+    const auto early = test::means(studio, test::looking_down(), settings);
+    settings.ends_early = false;
+    test::expect_same_mean(early, test::means(studio, test::looking_down(), settings));
+    EXPECT_NE(early, test::means(studio, test::looking_down(), settings)) << "some paths end";
+}
+
 }  // namespace
 }  // namespace gh
