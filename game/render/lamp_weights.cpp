@@ -30,9 +30,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 using F = hn::CappedTag<float, 4>;
 using Floats = hn::Vec<F>;
 
-constexpr float kFront = static_cast<float>(LampWeights::Sides::Front);
-constexpr float kBoth = static_cast<float>(LampWeights::Sides::Both);
-constexpr float kBeam = static_cast<float>(LampWeights::Sides::Beam);
+constexpr float kFront = static_cast<float>(LampWeights::Shines::Front);
+constexpr float kBoth = static_cast<float>(LampWeights::Shines::Both);
+constexpr float kBeam = static_cast<float>(LampWeights::Shines::Beam);
 
 static HWY_INLINE Floats splat(float x) {
     return hn::Set(F(), x);
@@ -74,7 +74,7 @@ static void weigh_lamps(const WeightQuery& query, float* weights) {
         }
         const auto [centre_x, centre_y, centre_z, extent] = columns_at(rows, 0).column;
         const auto [axis_x, axis_y, axis_z, power] = columns_at(rows, 4).column;
-        const auto [sides, cos_outer, unused, unused_too] = columns_at(rows, 8).column;
+        const auto [shines, cos_outer, unused, unused_too] = columns_at(rows, 8).column;
         const Floats x = hn::Sub(centre_x, splat(query.position[0]));
         const Floats y = hn::Sub(centre_y, splat(query.position[1]));
         const Floats z = hn::Sub(centre_z, splat(query.position[2]));
@@ -91,12 +91,12 @@ static void weigh_lamps(const WeightQuery& query, float* weights) {
             share = facing_share(height, distance);
         }
         const Floats facing = hn::Neg(along(axis_x, axis_y, axis_z));
-        const auto is_front = hn::Eq(sides, splat(kFront)), is_beam = hn::Eq(sides, splat(kBeam));
+        const auto is_front = hn::Eq(shines, splat(kFront)), is_beam = hn::Eq(shines, splat(kBeam));
         is_open = hn::And(is_open, hn::Or(hn::Not(is_front), hn::Gt(facing, zero)));
         // Outside a cone by more than rounding: nothing.
         const Floats edge = hn::Mul(hn::Sub(cos_outer, splat(0x1p-20f)), distance);
         is_open = hn::And(is_open, hn::Or(hn::Not(is_beam), hn::Ge(facing, edge)));
-        const auto is_panel = hn::Or(is_front, hn::Eq(sides, splat(kBoth)));
+        const auto is_panel = hn::Or(is_front, hn::Eq(shines, splat(kBoth)));
         const Floats faced = hn::Mul(share, facing_share(hn::Abs(facing), distance));
         share = hn::IfThenElse(is_panel, faced, share);
         const Floats kept_off2 = hn::IfThenElse(is_beam, one, hn::Max(distance2, hn::Mul(extent, extent)));
@@ -123,7 +123,7 @@ void LampWeights::set(std::uint32_t id, const Lamp& lamp) {
                   .extent = lamp.extent,
                   .axis = {lamp.axis.x, lamp.axis.y, lamp.axis.z},
                   .power = lamp.power,
-                  .sides = static_cast<float>(lamp.sides),
+                  .shines = static_cast<float>(lamp.shines),
                   .cos_outer = lamp.cos_outer,
                   .unused = {}};
 }

@@ -25,14 +25,14 @@ class LampWeights {
 
     // Where it shines: everywhere, or as a panel from its front or from both sides. Beam: what arrives is for the caller to
     // say; here it counts as 1 at any distance within its cone.
-    enum class Sides : std::uint8_t { All, Front, Both, Beam };
+    enum class Shines : std::uint8_t { All, Front, Both, Beam };
     struct Lamp {
         glm::vec3 centre{0.0f};
         glm::vec3 axis{0.0f};     // unit, of a panel or a beam
         float extent = 0.0f;      // around the centre, metres
         float power = 0.0f;       // irradiance times distance squared, face on; 0: gives nothing
         float cos_outer = -2.0f;  // of a beam
-        Sides sides = Sides::All;
+        Shines shines = Shines::All;
     };
 
     explicit LampWeights(std::size_t lamps) : lamps_(lamps) {}
@@ -46,7 +46,7 @@ class LampWeights {
     struct alignas(16) Row {
         float centre[3], extent;
         float axis[3], power;
-        float sides, cos_outer, unused[2];
+        float shines, cos_outer, unused[2];
     };
 
     std::vector<Row> lamps_;

@@ -124,7 +124,7 @@ void LightSet::note_listed(std::uint32_t lamp, std::uint32_t light) {
 
 // What lamps that are picked by list may give.
 void LightSet::weigh_lamps() {
-    using Sides = LampWeights::Sides;
+    using Shines = LampWeights::Shines;
     for (const Light& light : lights_) {
         if (light.listed_as == world::kNoIndex) continue;
         LampWeights::Lamp lamp{.power = light.power};
@@ -132,7 +132,7 @@ void LightSet::weigh_lamps() {
             lamp.centre = light.rect.centre;
             lamp.axis = light.rect.normal;
             lamp.extent = glm::length(light.rect.half_u) + glm::length(light.rect.half_v);
-            lamp.sides = light.is_double_sided ? Sides::Both : Sides::Front;
+            lamp.shines = light.is_double_sided ? Shines::Both : Shines::Front;
         } else if (light.kind == Kind::Ball) {
             lamp.centre = light.ball.centre;
             lamp.extent = light.ball.radius;
@@ -142,7 +142,7 @@ void LightSet::weigh_lamps() {
             lamp.axis = own.direction;
             if (own.shape == world::LampShape::Spot) lamp.cos_outer = own.cos_outer;
             lamp.power = 1.0f;
-            lamp.sides = Sides::Beam;
+            lamp.shines = Shines::Beam;
             is_beam_[light.listed_as] = 1;
         }
         lamp_weights_.set(light.listed_as, lamp);

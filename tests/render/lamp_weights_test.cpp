@@ -17,7 +17,7 @@ namespace gh {
 namespace {
 
 using render::LampWeights;
-using Sides = LampWeights::Sides;
+using Shines = LampWeights::Shines;
 
 glm::vec3 place(Random& random) {
     return glm::vec3(random.unit(), random.unit(), random.unit()) * 6.0f - 3.0f;
@@ -31,13 +31,13 @@ struct Room {
 Room random_room(Random& random, std::size_t count) {
     Room room{.lamps = {}, .weights = LampWeights(count)};
     for (std::uint32_t i = 0; i < count; ++i) {
-        const auto sides = static_cast<Sides>(i % 4);
+        const auto shines = static_cast<Shines>(i % 4);
         LampWeights::Lamp lamp{.centre = place(random),
                                .axis = glm::normalize(place(random)),
                                .extent = 0.3f * random.unit(),
-                               .power = sides == Sides::Beam ? 1.0f : 50.0f * random.unit(),
-                               .cos_outer = sides == Sides::Beam ? 2.0f * random.unit() - 1.0f : -2.0f,
-                               .sides = sides};
+                               .power = shines == Shines::Beam ? 1.0f : 50.0f * random.unit(),
+                               .cos_outer = shines == Shines::Beam ? 2.0f * random.unit() - 1.0f : -2.0f,
+                               .shines = shines};
         if (i % 11 == 10) lamp.power = 0.0f;
         room.weights.set(i, lamp);
         room.lamps.push_back(lamp);
@@ -57,10 +57,10 @@ double expected(const LampWeights::Lamp& lamp, const render::LightQuery& query) 
         weight *= share(height);
     }
     const double facing = -glm::dot(glm::dvec3(lamp.axis), offset);
-    if (lamp.sides == Sides::Beam)
+    if (lamp.shines == Shines::Beam)
         return facing / distance > static_cast<double>(lamp.cos_outer) ? weight : 0.0;
-    if (lamp.sides == Sides::Front && facing <= 0.0) return 0.0;
-    if (lamp.sides != Sides::All) weight *= share(std::abs(facing));
+    if (lamp.shines == Shines::Front && facing <= 0.0) return 0.0;
+    if (lamp.shines != Shines::All) weight *= share(std::abs(facing));
     const double kept_off = std::max(distance, static_cast<double>(lamp.extent));
     return weight / (kept_off * kept_off);
 }
@@ -79,7 +79,7 @@ TEST(LampWeights, FollowTheFormula) {
             const double truth = expected(room.lamps[lamp], query);
             // A dozen roundings; a height near 0 is a difference of numbers of up to ten metres.
             EXPECT_NEAR(static_cast<double>(weights[0]), truth, 1e-5 * truth + 1e-6)
-                << static_cast<int>(room.lamps[lamp].sides);
+                << static_cast<int>(room.lamps[lamp].shines);
             lit += truth > 0.0;
         }
     }
