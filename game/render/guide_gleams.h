@@ -68,10 +68,8 @@ class GleamTracer {
     // About what is there: its own colour, under the light that was baked.
     void guess(const Gleam& gleam, const rc::Ray& ray, const rc::Hit& hit);
 
-    World world_;
-    GuideTriangles triangles_;
     GuideColors colors_{1.0f};
-    glm::vec3 unused_{0.0f};  // colour of what is mirrored
+    World world_;
     std::vector<rc::Ray> rays_, shadow_rays_;
     std::vector<rc::Hit> hits_;
     std::vector<Gleam> gleams_;
@@ -79,6 +77,8 @@ class GleamTracer {
     std::vector<Highlight> highlights_;
     std::vector<glm::vec3> shares_;
     ShadowBatch shadows_;
+    GuideTriangles triangles_;
+    glm::vec3 unused_{0.0f};  // colour of what is mirrored
 };
 
 }  // namespace gh::render
