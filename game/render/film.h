@@ -36,7 +36,8 @@ struct FrameStats {
 // entry a pixel; a renderer fills the first four planes, and the others all or none. Every plane means what the plane of
 // that name in filter/gbuffer.h means: mirrors and clear glass are looked through, unfolded: what is seen there lies on
 // the straight line through the pixel, at the whole length of the way. Where several samples of a pixel show several
-// things, planes tell of the first one's; light on the others is in `clean`.
+// things, planes tell of the first one's, and albedo and gloss are of its share of the pixel, so that light by albedo
+// is what falls on it; light on the others is in `clean`.
 struct FilmPlanes {
     static constexpr std::uint32_t kSky = 0xFFFFFFFFu;
     // In a part's number, of a guide alone: it is polished, and what it mirrors was out of sight (guide_gleams.h).

@@ -53,9 +53,9 @@ class PathTile {
     void trace(int tile_x, int tile_y, Film& film, FrameStats& stats);
 
   private:
-    // Where light goes in filter/gbuffer.h's terms.
-    enum class Channel : std::uint8_t { Direct, Indirect, Specular, Clean };
-    static constexpr std::size_t kChannels = 4;
+    // Where light goes in filter/gbuffer.h's terms. Mirrored: by panes on the way, beside what is seen through them.
+    enum class Channel : std::uint8_t { Direct, Indirect, Specular, Mirrored, Clean };
+    static constexpr std::size_t kChannels = 5;
     static constexpr bool kHasClear = (kFeatures & kClearKernel) != 0;
     static constexpr bool kHasPlanes = (kFeatures & kPlanesKernel) != 0;
     using Media = std::conditional_t<kHasClear, MediumStack, NoMedia>;
@@ -100,9 +100,9 @@ class PathTile {
     };
     // What the leading path has gone through so far, for the planes.
     struct Unfolding {
-        glm::mat3 turned{1.0f};  // from what is seen to what is there, as mirrors turn it
-        float length = 0.0f;     // metres from the eye
-        bool is_done = false;
+        glm::mat3 turned{1.0f};   // from what is seen to what is there, as mirrors turn it
+        float length = 0.0f;      // metres from the eye
+        std::uint32_t shown = 0;  // samples that saw what the planes tell of, the first among them
     };
 
     [[nodiscard]] bool is_asked(int pixel) const;
@@ -154,7 +154,7 @@ class PathTile {
     void note_mirror(const Path& path, const ShadingPoint& at, bool passes);
     void note_ray(std::uint16_t pixel);
     void note_surface(const Path& path, const ShadingPoint& at, const rc::Hit& hit, const Bsdf& bsdf);
-    [[nodiscard]] bool shows_another(const Path& path, const ShadingPoint& at) const;
+    [[nodiscard]] bool shows_another(const Path& path, const ShadingPoint& at, const Bsdf& bsdf);
     void note_reflection(const Path& path, float t);
     void note_light(std::uint16_t pixel, std::uint32_t samples);
     [[nodiscard]] glm::vec3 position_before(const ShadingPoint& at, const rc::Hit& hit) const;

@@ -38,9 +38,12 @@ void PathTile<kFeatures>::trace(int tile_x, int tile_y, Film& film, FrameStats& 
     samples_.begin({frame_.settings.sampler, samples, frame_.settings.seed}, x_, y_, columns_, rows_,
                    frame_.number);
 
-    const std::uint32_t together = std::max(1u, kPathsTogether / pixels);
+    const std::uint32_t most = std::max(1u, kPathsTogether / pixels);
+    std::uint32_t together = 0;
     for (std::uint32_t sample = 0; sample < samples; sample += together) {
-        add_eye_paths(sample, std::min(together, samples - sample));
+        // The planes tell of what the first sample sees: the others are compared with that.
+        together = kHasPlanes && sample == 0 ? 1u : std::min(most, samples - sample);
+        add_eye_paths(sample, together);
         stats.primary_rays += now_.size();
         while (!now_.empty()) {
             trace_generation(stats);
@@ -55,8 +58,8 @@ void PathTile<kFeatures>::trace(int tile_x, int tile_y, Film& film, FrameStats& 
             return glm::vec3(sums_[i].light[static_cast<std::size_t>(which)] / static_cast<double>(samples));
         };
         const glm::vec3 direct = channel(Channel::Direct), indirect = channel(Channel::Indirect);
-        const glm::vec3 specular = channel(Channel::Specular), clean = channel(Channel::Clean);
-        film.radiance.pixels[at] = direct + indirect + specular + clean;
+        const glm::vec3 specular = channel(Channel::Specular) + channel(Channel::Mirrored);
+        film.radiance.pixels[at] = direct + indirect + specular + channel(Channel::Clean);
         if (!kHasPlanes || !frame_.settings.fills_planes) continue;
         note_light(i, samples);
     }

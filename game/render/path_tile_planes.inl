@@ -57,8 +57,8 @@ void PathTile<kFeatures>::note_surface(const Path& path, const ShadingPoint& at,
                                        const Bsdf& bsdf) {
     if (!fills_planes(path)) return;
     Unfolding& unfolding = unfolding_[path.pixel];
-    if (unfolding.is_done) return;
-    unfolding.is_done = true;
+    if (unfolding.shown > 0) return;
+    unfolding.shown = 1;
     FilmPlanes& planes = film_->planes;
     const std::size_t i = film_index(path.pixel);
     glm::vec3 position = at.surface.position;
@@ -80,10 +80,16 @@ void PathTile<kFeatures>::note_surface(const Path& path, const ShadingPoint& at,
 // Whether a further sample shows another thing than the planes tell of. Light of the inside of a shade, a thousand times
 // that of the wall beside it, is none of the wall's: filters would spread it all over.
 template <unsigned kFeatures>
-bool PathTile<kFeatures>::shows_another(const Path& path, const ShadingPoint& at) const {
+bool PathTile<kFeatures>::shows_another(const Path& path, const ShadingPoint& at, const Bsdf& bsdf) {
     if (!frame_.settings.fills_planes || path.sample == 0 || !path.is_leading) return false;
-    return unfolding_[path.pixel].is_done &&
-           film_->planes.part[film_index(path.pixel)] != thing_at(frame_.view.level, at);
+    Unfolding& unfolding = unfolding_[path.pixel];
+    FilmPlanes& planes = film_->planes;
+    const std::size_t i = film_index(path.pixel);
+    if (unfolding.shown == 0 || planes.part[i] != thing_at(frame_.view.level, at)) return true;
+    ++unfolding.shown;
+    planes.albedo[i] += bsdf.diffuse_albedo();
+    planes.gloss[i] += bsdf.gloss_albedo();
+    return false;
 }
 
 // How far off the thing is that the main surface mirrors.
@@ -93,23 +99,33 @@ void PathTile<kFeatures>::note_reflection(const Path& path, float t) {
     film_->planes.reflected[film_index(path.pixel)] = t;
 }
 
-// What of the pixel's light is not that of the surface the planes tell of passes unfiltered.
+// What of the pixel's light is not that of the surface the planes tell of passes unfiltered. Where that surface fills a
+// share of the pixel only, its colours are that share's: light is what falls on it, as on its neighbours.
 template <unsigned kFeatures>
 void PathTile<kFeatures>::note_light(std::uint16_t pixel, std::uint32_t samples) {
     const auto& light = sums_[pixel].light;
     const auto& beside = beside_[pixel].light;
     glm::dvec3 clean = light[static_cast<std::size_t>(Channel::Clean)];
-    const std::size_t at = film_index(pixel);
-    const auto note = [&](Channel which, Image& plane) {
+    const auto own = [&](Channel which) {
         const auto i = static_cast<std::size_t>(which);
         clean += beside[i];
-        plane.pixels[at] = glm::vec3((light[i] - beside[i]) / static_cast<double>(samples));
+        return light[i] - beside[i];
     };
+    const glm::dvec3 direct = own(Channel::Direct), indirect = own(Channel::Indirect);
+    glm::dvec3 specular = own(Channel::Specular);
+    const double share = static_cast<double>(unfolding_[pixel].shown) / static_cast<double>(samples);
+    const glm::dvec3& mirrored = light[static_cast<std::size_t>(Channel::Mirrored)];
+    specular += mirrored * share;
+    clean += mirrored * (1.0 - share);
+    const std::size_t at = film_index(pixel);
+    const auto mean = [&](const glm::dvec3& sum) { return glm::vec3(sum / static_cast<double>(samples)); };
     FilmPlanes& planes = film_->planes;
-    note(Channel::Direct, planes.direct);
-    note(Channel::Indirect, planes.indirect);
-    note(Channel::Specular, planes.specular);
-    planes.clean.pixels[at] = glm::vec3(clean / static_cast<double>(samples));
+    planes.direct.pixels[at] = mean(direct);
+    planes.indirect.pixels[at] = mean(indirect);
+    planes.specular.pixels[at] = mean(specular);
+    planes.clean.pixels[at] = mean(clean);
+    planes.albedo[at] /= static_cast<float>(samples);
+    planes.gloss[at] /= static_cast<float>(samples);
 }
 
 }  // namespace gh::render

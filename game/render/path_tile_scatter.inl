@@ -16,8 +16,9 @@ namespace {
 
 constexpr int kRouletteDepth = 2;          // paths shorter than that go on whatever they carry ...
 constexpr float kLeastEarlyChance = 0.7f;  // ... or, where they end early, this often at least (README.md)
-constexpr float kRoughAlpha = 0.1f;        // gloss that scatters so widely is rough
-constexpr float kGleamShare = 0.35f;       // of diffuse paths, where gleams are seen
+constexpr float kLeastSeen = 0.03f;   // of split paths: what the eye sees of more weight never ends by chance
+constexpr float kRoughAlpha = 0.1f;   // gloss that scatters so widely is rough
+constexpr float kGleamShare = 0.35f;  // of diffuse paths, where gleams are seen
 
 // Of the diffuse lobe together with what seeks gleams, times the probability of picking it; `own` is the lobe's alone.
 float guided_density(const Bsdf& bsdf, const GleamGuide& guide, float own, const glm::vec3& direction) {
@@ -125,7 +126,7 @@ void PathTile<kFeatures>::split(const Path& path, const Scatterer& here, FrameSt
         ++part.splits;
         part.branch = path.branch * 2u + (passes ? 1u : 0u);
         part.is_leading = path.is_leading && share > 0.5f;
-        if (!part.is_leading) part.channel = Channel::Specular;
+        if (!part.is_leading) part.channel = Channel::Mirrored;
         Onward onward{here.bsdf.sample(passes ? 0x1.fffffep-1f : 0.0f, glm::vec2(0.0f))};
         onward.survival = brightest(onward.weight);
         part.survival *= share;
@@ -185,8 +186,9 @@ bool PathTile<kFeatures>::survives(Path& path) {
     if (!frame_.settings.uses_roulette || (path.depth <= kRouletteDepth && !is_early)) return true;
     // Radiance is squeezed in glass, and comes out again as it was.
     const float ior = sane(path.media.ior(), 1.0f, 5.0f);
+    const float faint = frame_.settings.splits_glass && path.is_eye ? kLeastSeen : 1.0f;
     const float least = is_early ? kLeastEarlyChance : 0.0f;
-    const float chance = std::max(std::min(1.0f, path.survival * ior * ior), least);
+    const float chance = std::max(std::min(1.0f, path.survival * ior * ior / faint), least);
     if (!(one(path, kRoulettePurpose) < chance)) return false;
     path.weight /= chance;
     path.survival /= chance;

@@ -17,7 +17,7 @@ namespace gh::render {
 
 namespace {
 
-constexpr int kMostSplit = 4;  // panes one behind the other that split the eye's path
+constexpr int kMostSplit = 8;  // borders of glass one behind the other that split the eye's path
 
 }  // namespace
 
@@ -82,8 +82,8 @@ void PathTile<kFeatures>::meet(Path path, const rc::Hit& hit, ShadingPoint& at, 
     const bool is_main = path.is_eye && (bsdf.takes_lamps() || path.depth >= frame_.settings.max_depth);
     if (is_main) {
         if constexpr (kHasPlanes) note_surface(path, at, hit, bsdf);
-        path.channel = path.is_leading ? Channel::Clean : Channel::Specular;
-        path.is_beside = kHasPlanes && shows_another(path, at);
+        path.channel = path.is_leading ? Channel::Clean : Channel::Mirrored;
+        path.is_beside = kHasPlanes && shows_another(path, at, bsdf);
     }
     Scatterer here{at, bsdf, crossing.beyond, crossing.gap, {}};
     if (path.depth >= frame_.settings.max_depth) return;
