@@ -100,8 +100,9 @@ class PathTile {
     };
     // What the leading path has gone through so far, for the planes.
     struct Unfolding {
-        glm::mat3 turned{1.0f};   // from what is seen to what is there, as mirrors turn it
-        float length = 0.0f;      // metres from the eye
+        glm::mat3 turned{1.0f};                     // from what is seen to what is there, as mirrors turn it
+        float length = 0.0f;                        // metres from the eye
+        glm::vec3 position{0.0f}, geometric{0.0f};  // where that meets the first thing, as it is there
         std::uint32_t shown = 0;  // samples that saw what the planes tell of, the first among them
     };
 

@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include <bit>
+#include <cmath>
 
 namespace gh::render {
 
@@ -17,6 +18,10 @@ std::uint32_t thing_at(const world::Level& level, const ShadingPoint& at) {
     const auto material = static_cast<std::uint32_t>(at.material - level.materials.data());
     return std::rotl(material, 20) ^ at.part;
 }
+
+// Two places in a pixel lie on one face, be it round, if their normals are no further apart than that cosine, and one lies
+// no further off the other's plane than that share of the way.
+constexpr float kOneFace = 0.9f, kOnPlane = 0.01f;
 
 }  // namespace
 
@@ -59,6 +64,8 @@ void PathTile<kFeatures>::note_surface(const Path& path, const ShadingPoint& at,
     Unfolding& unfolding = unfolding_[path.pixel];
     if (unfolding.shown > 0) return;
     unfolding.shown = 1;
+    unfolding.position = at.surface.position;
+    unfolding.geometric = at.geometric;
     FilmPlanes& planes = film_->planes;
     const std::size_t i = film_index(path.pixel);
     glm::vec3 position = at.surface.position;
@@ -77,8 +84,8 @@ void PathTile<kFeatures>::note_surface(const Path& path, const ShadingPoint& at,
     planes.roughness[i] = sane(at.roughness, 0.0f, 1.0f);
 }
 
-// Whether a further sample shows another thing than the planes tell of. Light of the inside of a shade, a thousand times
-// that of the wall beside it, is none of the wall's: filters would spread it all over.
+// Whether a further sample shows another thing than the planes tell of, or another face of it. Light of the inside of a
+// shade, a thousand times that of the wall beside it, is none of the wall's: filters would spread it all over.
 template <unsigned kFeatures>
 bool PathTile<kFeatures>::shows_another(const Path& path, const ShadingPoint& at, const Bsdf& bsdf) {
     if (!frame_.settings.fills_planes || path.sample == 0 || !path.is_leading) return false;
@@ -86,6 +93,10 @@ bool PathTile<kFeatures>::shows_another(const Path& path, const ShadingPoint& at
     FilmPlanes& planes = film_->planes;
     const std::size_t i = film_index(path.pixel);
     if (unfolding.shown == 0 || planes.part[i] != thing_at(frame_.view.level, at)) return true;
+    const float step = glm::dot(at.surface.position - unfolding.position, unfolding.geometric);
+    if (!(glm::dot(at.geometric, unfolding.geometric) > kOneFace) ||
+        !(std::abs(step) < kOnPlane * glm::distance(path.ray.origin, at.surface.position)))
+        return true;
     ++unfolding.shown;
     planes.albedo[i] += bsdf.diffuse_albedo();
     planes.gloss[i] += bsdf.gloss_albedo();

@@ -13,10 +13,10 @@ using test::Studio;
 
 constexpr int kSide = 32;
 
-render::Film film_of(const Studio& studio, const render::PathSettings& settings) {
+render::Film film_of(const Studio& studio, const render::PathSettings& settings,
+                     const render::Camera& camera = test::narrow({0, 0, 3})) {
     render::Film film(kSide, kSide);
-    render::render_path({studio.level, studio.snapshot, studio.prepared}, test::narrow({0, 0, 3}), settings,
-                        0, Jobs(1), film);
+    render::render_path({studio.level, studio.snapshot, studio.prepared}, camera, settings, 0, Jobs(1), film);
     return film;
 }
 
@@ -24,6 +24,14 @@ render::PathSettings for_filters(int samples_per_pixel) {
     render::PathSettings settings = test::reference(samples_per_pixel);
     settings.fills_planes = settings.splits_glass = true;
     return settings;
+}
+
+world::Lamp sun_along(const glm::vec3& direction) {
+    world::Lamp sun;
+    sun.shape = world::LampShape::Sun;
+    sun.direction = direction;
+    sun.intensity = glm::vec3(3.0f);
+    return sun;
 }
 
 // Three panes, six borders: each takes 4 % of the weight that roulette goes by. One pixel in seven had no surface.
@@ -64,11 +72,7 @@ TEST(PathPlanes, AnEdgesColourIsThatOfItsShare) {
     const float edge = 3.3e-4f;  // the picture shows 3 mm: three and a half pixels right of its middle
     studio.add_sheet({-4.0f + edge, 0, 0}, {4, 0, 0}, {0, 4, 0}, test::matte(dark));
     studio.add_sheet({4.0f + edge, 0, 0}, {4, 0, 0}, {0, 4, 0}, test::matte(bright));
-    world::Lamp sun;
-    sun.shape = world::LampShape::Sun;
-    sun.direction = {0, 0, -1};
-    sun.intensity = glm::vec3(3.0f);
-    studio.add_lamp(sun);
+    studio.add_lamp(sun_along({0, 0, -1}));
     studio.open();
     const int samples = 64;
     const render::Environment night = test::even_light(0.0f);
@@ -92,6 +96,31 @@ TEST(PathPlanes, AnEdgesColourIsThatOfItsShare) {
         ++edges;
         const glm::vec3& other = planes.part[i] == planes.part[0] ? bright : dark;
         EXPECT_NEAR(planes.clean.pixels[i].y, (1.0f - share) * other.y * 3.0f / test::kPiF, 1e-5f);
+    }
+    EXPECT_EQ(edges, kSide) << "one column of pixels shows both";
+}
+
+// The corner of a box, one of whose faces has the sun: none of it falls on the other face.
+TEST(PathPlanes, AnotherFaceOfTheSameThingIsAnother) {
+    Studio studio;
+    studio.add_box(glm::vec3(-1.0f), glm::vec3(1.0f), test::matte(glm::vec3(0.5f)));
+    studio.add_lamp(sun_along({-1, 0, 0}));
+    studio.open();
+    const render::Environment night = test::even_light(0.0f);
+    render::PathSettings settings = for_filters(64);
+    settings.environment = &night;
+    const float aside = 3.3e-4f;  // of a picture of 2.8 mm
+    const render::Film film =
+        film_of(studio, settings, test::narrow({3.0f + aside, 0, 3.0f}, test::kPiF / 4.0f));
+    const render::FilmPlanes& planes = film.planes;
+    int edges = 0;
+    for (std::size_t i = 0; i < planes.part.size(); ++i) {
+        const float share = planes.albedo[i].y / 0.5f;
+        const bool has_sun = planes.normal[i].x > 0.5f;
+        EXPECT_NEAR(planes.direct.pixels[i].y / planes.albedo[i].y, has_sun ? 3.0f / test::kPiF : 0.0f,
+                    1e-5f);
+        EXPECT_NEAR(planes.clean.pixels[i].y, has_sun ? 0.0f : (1.0f - share) * 1.5f / test::kPiF, 1e-5f);
+        edges += share < 0.999f ? 1 : 0;
     }
     EXPECT_EQ(edges, kSide) << "one column of pixels shows both";
 }
