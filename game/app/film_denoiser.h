@@ -1,4 +1,4 @@
-// app/film_denoiser.h - from what the path tracer leaves to what the filters take, and back to a picture.
+// app/film_denoiser.h - lends the filters the planes that the path tracer leaves, and makes a picture of what they make of it.
 //
 // Threads   belongs to one caller; rows over all threads.
 // Same bits as the filters'.
@@ -21,7 +21,7 @@ class FilmDenoiser {
 
   private:
     filter::Denoiser denoiser_;
-    filter::GBuffer surfaces_;
+    filter::GBuffer surfaces_;  // borrowed while they are filtered
     filter::Light light_;
     filter::Plane3 picture_;
 };

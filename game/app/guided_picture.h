@@ -48,7 +48,7 @@ class GuidedPicture {
 
   private:
     filter::TemporalUpscaler upscaler_;
-    render::FilmPlanes guide_, guide_before_;
+    render::GuidePlanes guide_, guide_before_;
     Image picture_;
     bool has_picture_ = false;  // that the next frame follows
     PictureShape shape_;

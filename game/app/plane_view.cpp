@@ -48,9 +48,9 @@ Lenses lenses_of(const SeenPlanes& seen) {
             glm::inverse(glm::mat3(seen.before.right, seen.before.down, seen.before.corner))};
 }
 
-glm::vec3 motion_color(const SeenPlanes& seen, const Lenses& lenses, std::size_t i) {
-    const glm::vec2 now = seen_at(lenses.now, seen.film.eye, seen.film.position[i]);
-    const glm::vec2 then = seen_at(lenses.before, seen.before.eye, seen.film.previous[i]);
+glm::vec3 motion_color(const SeenPlanes& seen, const Lenses& lenses, int x, int y) {
+    const glm::vec2 now = seen_at(lenses.now, seen.film.eye, seen.film.position.get(x, y));
+    const glm::vec2 then = seen_at(lenses.before, seen.before.eye, seen.film.previous.get(x, y));
     const glm::vec2 moved = (now - then) / kMostMotion;
     return {0.5f + 0.5f * moved.x, 0.5f + 0.5f * moved.y, 0.5f};
 }
@@ -59,21 +59,20 @@ glm::vec3 motion_color(const SeenPlanes& seen, const Lenses& lenses, std::size_t
 glm::vec3 color_at(PlaneView view, const SeenPlanes& seen, const Lenses& lenses, float exposure, int x,
                    int y) {
     const render::FilmPlanes& film = seen.film;
-    const std::size_t i = film.direct.index(x, y);
-    if (view == PlaneView::Rays) return heat(film.rays[i] / kMostRays);
-    if (film.part[i] == render::FilmPlanes::kSky) return glm::vec3(0.0f);
+    if (view == PlaneView::Rays) return heat(film.rays.at(x, y) / kMostRays);
+    if (film.part.at(x, y) == render::FilmPlanes::kSky) return glm::vec3(0.0f);
     switch (view) {
         case PlaneView::Albedo: {
-            const glm::vec3 albedo = glm::clamp(film.albedo[i], 0.0f, 1.0f);
+            const glm::vec3 albedo = glm::clamp(film.albedo.get(x, y), 0.0f, 1.0f);
             return {filter::srgb_from_linear(albedo.x), filter::srgb_from_linear(albedo.y),
                     filter::srgb_from_linear(albedo.z)};
         }
         case PlaneView::Normal:
-            return film.normal[i] * 0.5f + 0.5f;
+            return film.normal.get(x, y) * 0.5f + 0.5f;
         case PlaneView::Depth:
-            return glm::vec3(kNear / (kNear + glm::distance(film.eye, film.position[i])));
+            return glm::vec3(kNear / (kNear + glm::distance(film.eye, film.position.get(x, y))));
         case PlaneView::Motion:
-            return motion_color(seen, lenses, i);
+            return motion_color(seen, lenses, x, y);
         case PlaneView::Variance:
             return heat(std::sqrt(std::max(0.0f, seen.variance.at(x, y))) * exposure);
         case PlaneView::History:
@@ -87,6 +86,12 @@ std::uint8_t byte_of(float value) {
     if (!(value > 0.0f)) return 0;
     const float half_up = std::min(value, 1.0f) * 255.0f + 0.5f;
     return static_cast<std::uint8_t>(half_up);
+}
+
+void paint_light(const Plane3& light, float exposure, const Jobs& jobs, Image8& out) {
+    Image image;
+    filter::image_from(light, image);
+    filter::tone_map(image, exposure, 0, jobs, out);
 }
 
 }  // namespace
@@ -114,18 +119,17 @@ const char* words_of(PlaneView view) {
 void paint_plane(PlaneView view, const SeenPlanes& seen, float exposure, const Jobs& jobs, Image8& out) {
     const render::FilmPlanes& film = seen.film;
     EXPECTS(view != PlaneView::Picture && !film.part.empty());
-    if (view == PlaneView::Direct) return filter::tone_map(film.direct, exposure, 0, jobs, out);
-    if (view == PlaneView::Indirect) return filter::tone_map(film.indirect, exposure, 0, jobs, out);
-    if (view == PlaneView::Specular) return filter::tone_map(film.specular, exposure, 0, jobs, out);
-    const int width = film.direct.width, height = film.direct.height;
+    if (view == PlaneView::Direct) return paint_light(film.direct, exposure, jobs, out);
+    if (view == PlaneView::Indirect) return paint_light(film.indirect, exposure, jobs, out);
+    if (view == PlaneView::Specular) return paint_light(film.specular, exposure, jobs, out);
+    const int width = film.part.width(), height = film.part.height();
     if (out.width != width || out.height != height || out.channels != 3) out = Image8(width, height);
     const Lenses lenses = lenses_of(seen);
     jobs.run(static_cast<std::size_t>(height), [&](std::size_t row, int) {
         for (int x = 0; x < width; ++x) {
             const glm::vec3 color = color_at(view, seen, lenses, exposure, x, static_cast<int>(row));
-            const std::size_t at = 3 * film.direct.index(x, static_cast<int>(row));
-            for (glm::length_t c = 0; c < 3; ++c)
-                out.bytes[at + static_cast<std::size_t>(c)] = byte_of(color[c]);
+            std::uint8_t* const bytes = out.at(x, static_cast<int>(row));
+            for (glm::length_t c = 0; c < 3; ++c) bytes[c] = byte_of(color[c]);
         }
     });
 }

@@ -52,9 +52,8 @@ void Reshading::note(const render::Camera& camera, const render::PathSettings& s
     fit_blocks(film.radiance, samples_.then);
     seen_.clear();
     for_all_asked(film.radiance, settings_.first, [&](int x, int y) {
-        const std::size_t at = film.radiance.index(x, y);
-        samples_.then.at(x / kSide, y / kSide) = luminance(film.radiance.pixels[at]);
-        seen_.push_back({film.planes.part[at], film.planes.position[at]});
+        samples_.then.at(x / kSide, y / kSide) = luminance(film.radiance.at(x, y));
+        seen_.push_back({film.planes.part.at(x, y), film.planes.position.get(x, y)});
     });
     is_known_ = true;
 }
@@ -68,11 +67,10 @@ void Reshading::ask_again(const render::SceneView& scene, const Jobs& jobs, filt
     fit_blocks(again_.radiance, samples_.now);
     auto seen = seen_.begin();
     for_all_asked(again_.radiance, settings_.first, [&](int x, int y) {
-        const std::size_t at = again_.radiance.index(x, y);
-        const bool is_same = is_at(*seen++, again_.planes.part[at], again_.planes.position[at]);
+        const bool is_same = is_at(*seen++, again_.planes.part.at(x, y), again_.planes.position.get(x, y));
         float& before = samples_.then.at(x / kSide, y / kSide);
         if (!is_same) before = 0.0f;
-        samples_.now.at(x / kSide, y / kSide) = is_same ? luminance(again_.radiance.pixels[at]) : 0.0f;
+        samples_.now.at(x / kSide, y / kSide) = is_same ? luminance(again_.radiance.at(x, y)) : 0.0f;
     });
     samples_.side = kSide;
     filter::gradients(samples_, again_.radiance.width, again_.radiance.height, jobs, change);

@@ -13,22 +13,14 @@ FrameStats& FrameStats::operator+=(const FrameStats& other) {
     return *this;
 }
 
-void FilmPlanes::resize_surfaces(std::size_t pixels) {
-    part.assign(pixels, kSky);
-    for (std::vector<glm::vec3>* plane : {&position, &previous, &geometric})
-        plane->assign(pixels, glm::vec3(0.0f));
-}
-
 void FilmPlanes::resize(int width, int height) {
-    for (Image* image : {&direct, &indirect, &specular, &clean}) {
-        if (image->width != width || image->height != height) *image = Image(width, height);
-    }
-    const std::size_t count = direct.pixels.size();
-    resize_surfaces(count);
-    for (std::vector<glm::vec3>* plane : {&normal, &albedo, &gloss}) plane->assign(count, glm::vec3(0.0f));
-    roughness.assign(count, 1.0f);
-    reflected.assign(count, 0.0f);
-    rays.assign(count, 0.0f);
+    for (Plane3* light : {&direct, &indirect, &specular, &clean}) light->fit(width, height);
+    part.resize(width, height, kSky);
+    for (Plane3* plane : {&position, &previous, &geometric, &normal, &albedo, &gloss})
+        plane->resize(width, height);
+    roughness.resize(width, height, 1.0f);
+    reflected.resize(width, height);
+    rays.resize(width, height);
 }
 
 }  // namespace gh::render

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/image.h"
+#include "base/plane.h"
 
 #include <glm/vec3.hpp>
 
@@ -32,34 +33,38 @@ struct FrameStats {
     FrameStats& operator+=(const FrameStats& other);
 };
 
-// The surface that each pixel shows and its light by how it behaves, for filters that follow it from frame to frame. One
-// entry a pixel; a renderer fills the first four planes, and the others all or none. Every plane means what the plane of
-// that name in filter/gbuffer.h means: mirrors and clear glass are looked through, unfolded: what is seen there lies on
-// the straight line through the pixel, at the whole length of the way. Where several samples of a pixel show several
-// things, planes tell of the first one's, and albedo and gloss are of its share of the pixel, so that light by albedo
-// is what falls on it; light on the others is in `clean`.
+// The surface that each pixel shows and its light by how it behaves, for filters that follow it from frame to frame. Every
+// plane means what the plane of that name in filter/gbuffer.h means: mirrors and clear glass are looked through, unfolded:
+// what is seen there lies on the straight line through the pixel, at the whole length of the way. Where several samples of a
+// pixel show several things, planes tell of the first one's, and albedo and gloss are of its share of the pixel, so that
+// light by albedo is what falls on it; light on the others is in `clean`.
 struct FilmPlanes {
     static constexpr std::uint32_t kSky = 0xFFFFFFFFu;
-    // In a part's number, of a guide alone: it is polished, and what it mirrors was out of sight (guide_gleams.h).
-    static constexpr std::uint32_t kUnmirrored = 0x40000000u;
 
     glm::vec3 eye{0.0f}, corner{0.0f}, right{0.0f}, down{0.0f};  // of the lens
     // kSky: no surface. The same thing has the same number in every frame; another image of it may have another.
-    std::vector<std::uint32_t> part;
-    std::vector<glm::vec3> position, previous;
-    std::vector<glm::vec3> geometric;  // towards the eye
+    PlaneU32 part;
+    Plane3 position, previous;
+    Plane3 geometric, normal;  // towards the eye
+    Plane3 albedo, gloss;
+    Plane roughness, reflected;
+    Plane rays;                                // traced for the pixel, shadow rays among them
+    Plane3 direct, indirect, specular, clean;  // they sum to the picture
 
-    std::vector<glm::vec3> normal;  // towards the eye
-    std::vector<glm::vec3> albedo;
-    std::vector<glm::vec3> gloss;
-    std::vector<float> roughness;
-    std::vector<float> reflected;
-    std::vector<float> rays;                  // traced for the pixel, shadow rays among them
-    Image direct, indirect, specular, clean;  // they sum to the picture
-
-    void resize_surfaces(std::size_t pixels);  // the first four
     // The surfaces become sky; light of a picture of the same size stays what it was.
     void resize(int width, int height);
+};
+
+// What a guide (guide.h) says of each pixel, row by row: the same as the film's planes of these names.
+struct GuidePlanes {
+    static constexpr std::uint32_t kSky = FilmPlanes::kSky;
+    // In a part's number: it is polished, and what it mirrors was out of sight (guide_gleams.h).
+    static constexpr std::uint32_t kUnmirrored = 0x40000000u;
+
+    glm::vec3 eye{0.0f}, corner{0.0f}, right{0.0f}, down{0.0f};
+    std::vector<std::uint32_t> part;
+    std::vector<glm::vec3> position, previous, geometric, albedo;
+    Image clean;
 };
 
 struct Film {

@@ -97,7 +97,7 @@ class GuideTracer {
     GuideTriangles triangles_;
 };
 
-void fit(FilmPlanes& planes, glm::ivec2 size) {
+void fit(GuidePlanes& planes, glm::ivec2 size) {
     const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     planes.part.resize(count);
     for (auto* plane : {&planes.position, &planes.previous, &planes.geometric, &planes.albedo})
@@ -108,7 +108,7 @@ void fit(FilmPlanes& planes, glm::ivec2 size) {
 }  // namespace
 
 void render_guide(const SceneView& scene, const Camera& camera, const WhittedSettings& settings,
-                  glm::ivec2 size, const Jobs& jobs, FilmPlanes& planes) {
+                  glm::ivec2 size, const Jobs& jobs, GuidePlanes& planes) {
     EXPECTS(size.x >= 1 && size.y >= 1);
     fit(planes, size);
     WhittedSettings looks = settings;

@@ -46,7 +46,7 @@ glm::vec3 baked_reflection(const AmbientLight& ambient, const glm::vec3& positio
 }  // namespace
 
 void GleamTracer::add(const GuideTriangle& triangle, const rc::Ray& ray, const rc::Hit& hit,
-                      std::size_t pixel, FilmPlanes& planes) {
+                      std::size_t pixel, GuidePlanes& planes) {
     const world::Material& material = *triangle.material;
     const float side = glm::dot(triangle.normal, ray.direction) > 0.0f ? -1.0f : 1.0f;
     const glm::vec3 geometric = triangle.normal * side;
@@ -67,7 +67,7 @@ void GleamTracer::add(const GuideTriangle& triangle, const rc::Ray& ray, const r
         rays_.push_back(rc::spawn_ray(at, mirrored));
         gleams_.push_back({weight, 1.0f - polish.highlight_share, pixel, is_metal});
     } else if (!is_metal) {
-        planes.part[pixel] |= FilmPlanes::kUnmirrored;
+        planes.part[pixel] |= GuidePlanes::kUnmirrored;
     }
     if (is_metal)
         planes.clean.pixels[pixel] +=
@@ -99,7 +99,7 @@ void GleamTracer::add_highlights(std::size_t pixel, const rc::SurfacePoint& at, 
 }
 
 bool GleamTracer::add_shining(const Gleam& gleam, const rc::Ray& ray, const rc::Hit& hit,
-                              FilmPlanes& planes) {
+                              GuidePlanes& planes) {
     if (world_.light.emission_on[hit.instance] == 0) return false;
     const GuideTriangle& triangle = triangles_.of(world_.view, hit);
     if (!triangle.is_plain || triangle.material->emission == glm::vec3(0.0f)) return false;
@@ -111,7 +111,7 @@ bool GleamTracer::add_shining(const Gleam& gleam, const rc::Ray& ray, const rc::
 }
 
 void GleamTracer::add_mirrored(const Gleam& gleam, const rc::Ray& ray, const rc::Hit& hit,
-                               FilmPlanes& planes) {
+                               GuidePlanes& planes) {
     glm::vec3& clean = planes.clean.pixels[gleam.pixel];
     if (hit.is_miss()) {
         clean += gleam.weight * sky_radiance(world_.light.sun, ray.direction);
@@ -124,7 +124,7 @@ void GleamTracer::add_mirrored(const Gleam& gleam, const rc::Ray& ray, const rc:
     } else if (gleam.is_of_metal) {
         guess(gleam, ray, hit);
     } else {
-        planes.part[gleam.pixel] |= FilmPlanes::kUnmirrored;
+        planes.part[gleam.pixel] |= GuidePlanes::kUnmirrored;
     }
 }
 
@@ -141,7 +141,7 @@ void GleamTracer::guess(const Gleam& gleam, const rc::Ray& ray, const rc::Hit& h
                     {&guesses_.back().albedo, &unused_, glm::vec3(0.0f)});
 }
 
-void GleamTracer::trace(FilmPlanes& planes) {
+void GleamTracer::trace(GuidePlanes& planes) {
     hits_.resize(rays_.size());
     rc::closest_hits(*world_.view.snapshot.scene, rays_, world::Light, hits_);
     guesses_.reserve(gleams_.size());  // colours wait for their places in it

@@ -36,10 +36,10 @@ class GleamTracer {
 
     // A pixel that shows a polished triangle. The ray's direction is unit.
     void add(const GuideTriangle& triangle, const rc::Ray& ray, const rc::Hit& hit, std::size_t pixel,
-             FilmPlanes& planes);
+             GuidePlanes& planes);
 
     // For all that were added since the last time.
-    void trace(FilmPlanes& planes);
+    void trace(GuidePlanes& planes);
 
   private:
     struct Gleam {
@@ -60,10 +60,10 @@ class GleamTracer {
     void add_highlights(std::size_t pixel, const rc::SurfacePoint& at, const glm::vec3& mirrored,
                         const Gloss& gloss);
     // What is known of it; what is not is guessed or marks the pixel.
-    void add_mirrored(const Gleam& gleam, const rc::Ray& ray, const rc::Hit& hit, FilmPlanes& planes);
+    void add_mirrored(const Gleam& gleam, const rc::Ray& ray, const rc::Hit& hit, GuidePlanes& planes);
     // If it shines by itself, that.
     [[nodiscard]] bool add_shining(const Gleam& gleam, const rc::Ray& ray, const rc::Hit& hit,
-                                   FilmPlanes& planes);
+                                   GuidePlanes& planes);
 
     // About what is there: its own colour, under the light that was baked.
     void guess(const Gleam& gleam, const rc::Ray& ray, const rc::Hit& hit);

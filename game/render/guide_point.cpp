@@ -43,7 +43,7 @@ void add_smooth_normals(const world::Mesh& mesh, const glm::uvec3& corners, cons
 
 }  // namespace
 
-void note(const GuidePoint& point, std::size_t pixel, FilmPlanes& planes) {
+void note(const GuidePoint& point, std::size_t pixel, GuidePlanes& planes) {
     planes.part[pixel] = point.part;
     planes.position[pixel] = point.position;
     planes.previous[pixel] = point.previous;

@@ -23,10 +23,10 @@ struct GuidePoint {
     glm::vec3 position{0.0f}, previous{0.0f};
     glm::vec3 geometric{0.0f};  // unit, of the triangle, towards the eye
     glm::vec3 albedo{1.0f};
-    std::uint32_t part = FilmPlanes::kSky;
+    std::uint32_t part = GuidePlanes::kSky;
 };
 
-void note(const GuidePoint& point, std::size_t pixel, FilmPlanes& planes);
+void note(const GuidePoint& point, std::size_t pixel, GuidePlanes& planes);
 
 // About what light is multiplied by at a surface; never 0: polish gives back some of it, whatever is beneath.
 [[nodiscard]] glm::vec3 guide_albedo(const glm::vec3& base_color, float metallic);

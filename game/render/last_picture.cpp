@@ -18,7 +18,7 @@ constexpr float kOffPlane = 0.02f;
 
 }  // namespace
 
-LastPicture::LastPicture(const Image& radiance, const FilmPlanes& guide, glm::ivec2 size)
+LastPicture::LastPicture(const Image& radiance, const GuidePlanes& guide, glm::ivec2 size)
     : radiance_(radiance),
       guide_(guide),
       size_(size),
@@ -38,7 +38,7 @@ std::optional<glm::vec3> LastPicture::seen(const glm::vec3& position, std::uint3
         return std::nullopt;
     const auto pixel = static_cast<std::size_t>(point.y) * static_cast<std::size_t>(size_.x) +
                        static_cast<std::size_t>(point.x);
-    if ((guide_.part[pixel] & ~FilmPlanes::kUnmirrored) != part) return std::nullopt;
+    if ((guide_.part[pixel] & ~GuidePlanes::kUnmirrored) != part) return std::nullopt;
     const float off = glm::dot(guide_.position[pixel] - position, guide_.geometric[pixel]);
     if (!(std::abs(off) <= kOffPlane * glm::length(from_eye))) return std::nullopt;
     return radiance_at(point * per_pixel_);

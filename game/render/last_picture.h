@@ -20,7 +20,7 @@ namespace gh::render {
 class LastPicture {
   public:
     // `guide` is that of a picture of `size`; `radiance` shows the same in as many pixels or more.
-    LastPicture(const Image& radiance, const FilmPlanes& guide, glm::ivec2 size);
+    LastPicture(const Image& radiance, const GuidePlanes& guide, glm::ivec2 size);
 
     // What was seen, straight on, of the point of a part that was at `position` then; nothing if that was out of sight.
     [[nodiscard]] std::optional<glm::vec3> seen(const glm::vec3& position, std::uint32_t part) const;
@@ -29,7 +29,7 @@ class LastPicture {
     [[nodiscard]] glm::vec3 radiance_at(const glm::vec2& point) const;
 
     const Image& radiance_;
-    const FilmPlanes& guide_;
+    const GuidePlanes& guide_;
     glm::ivec2 size_;
     glm::vec2 per_pixel_;  // pixels of `radiance`
     glm::mat3 picture_from_world_;

@@ -159,7 +159,7 @@ class PathTile {
     void note_reflection(const Path& path, float t);
     void note_light(std::uint16_t pixel, std::uint32_t samples);
     [[nodiscard]] glm::vec3 position_before(const ShadingPoint& at, const rc::Hit& hit) const;
-    [[nodiscard]] std::size_t film_index(std::uint16_t pixel) const;
+    [[nodiscard]] glm::ivec2 film_pixel(std::uint16_t pixel) const;
 
     [[nodiscard]] rc::Ray eye_ray(const Path& path);
     [[nodiscard]] glm::vec2 picture_point(const Path& path);

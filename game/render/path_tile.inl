@@ -53,13 +53,13 @@ void PathTile<kFeatures>::trace(int tile_x, int tile_y, Film& film, FrameStats& 
         }
     }
     for (std::uint16_t i = 0; i < pixels; ++i) {
-        const std::size_t at = film_index(i);
         const auto channel = [&](Channel which) {
             return glm::vec3(sums_[i].light[static_cast<std::size_t>(which)] / static_cast<double>(samples));
         };
         const glm::vec3 direct = channel(Channel::Direct), indirect = channel(Channel::Indirect);
         const glm::vec3 specular = channel(Channel::Specular) + channel(Channel::Mirrored);
-        film.radiance.pixels[at] = direct + indirect + specular + channel(Channel::Clean);
+        const glm::ivec2 at = film_pixel(i);
+        film.radiance.at(at.x, at.y) = direct + indirect + specular + channel(Channel::Clean);
         if (!kHasPlanes || !frame_.settings.fills_planes) continue;
         note_light(i, samples);
     }
@@ -252,9 +252,8 @@ void PathTile<kFeatures>::add(std::uint16_t pixel, Channel channel, const glm::v
 }
 
 template <unsigned kFeatures>
-std::size_t PathTile<kFeatures>::film_index(std::uint16_t pixel) const {
-    const int x = x_ + pixel % columns_, y = y_ + pixel / columns_;
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width) + static_cast<std::size_t>(x);
+glm::ivec2 PathTile<kFeatures>::film_pixel(std::uint16_t pixel) const {
+    return {x_ + pixel % columns_, y_ + pixel / columns_};
 }
 
 template <unsigned kFeatures>

@@ -34,7 +34,9 @@ void PathTile<kFeatures>::begin_planes() {
 
 template <unsigned kFeatures>
 void PathTile<kFeatures>::note_ray(std::uint16_t pixel) {
-    if (kHasPlanes && frame_.settings.fills_planes) film_->planes.rays[film_index(pixel)] += 1.0f;
+    if (!kHasPlanes || !frame_.settings.fills_planes) return;
+    const glm::ivec2 at = film_pixel(pixel);
+    film_->planes.rays.at(at.x, at.y) += 1.0f;
 }
 
 // Something in the way of the eye that turns it.
@@ -67,21 +69,22 @@ void PathTile<kFeatures>::note_surface(const Path& path, const ShadingPoint& at,
     unfolding.position = at.surface.position;
     unfolding.geometric = at.geometric;
     FilmPlanes& planes = film_->planes;
-    const std::size_t i = film_index(path.pixel);
+    const glm::ivec2 i = film_pixel(path.pixel);
     glm::vec3 position = at.surface.position;
     if (path.depth + path.passes > 0) {
         const glm::vec3 way = frame_.lens.ray(picture_point(path)).direction;
         const float length = unfolding.length + glm::distance(path.ray.origin, at.surface.position);
         position = frame_.lens.position() + way * length;
     }
-    planes.part[i] = thing_at(frame_.view.level, at);
-    planes.position[i] = position;
-    planes.previous[i] = position + unfolding.turned * (position_before(at, hit) - at.surface.position);
-    planes.normal[i] = unfolding.turned * at.smooth;
-    planes.geometric[i] = unfolding.turned * at.geometric;
-    planes.albedo[i] = bsdf.diffuse_albedo();
-    planes.gloss[i] = bsdf.gloss_albedo();
-    planes.roughness[i] = sane(at.roughness, 0.0f, 1.0f);
+    planes.part.at(i.x, i.y) = thing_at(frame_.view.level, at);
+    planes.position.set(i.x, i.y, position);
+    planes.previous.set(i.x, i.y,
+                        position + unfolding.turned * (position_before(at, hit) - at.surface.position));
+    planes.normal.set(i.x, i.y, unfolding.turned * at.smooth);
+    planes.geometric.set(i.x, i.y, unfolding.turned * at.geometric);
+    planes.albedo.set(i.x, i.y, bsdf.diffuse_albedo());
+    planes.gloss.set(i.x, i.y, bsdf.gloss_albedo());
+    planes.roughness.at(i.x, i.y) = sane(at.roughness, 0.0f, 1.0f);
 }
 
 // Whether a further sample shows another thing than the planes tell of, or another face of it. Light of the inside of a
@@ -91,15 +94,15 @@ bool PathTile<kFeatures>::shows_another(const Path& path, const ShadingPoint& at
     if (!frame_.settings.fills_planes || path.sample == 0 || !path.is_leading) return false;
     Unfolding& unfolding = unfolding_[path.pixel];
     FilmPlanes& planes = film_->planes;
-    const std::size_t i = film_index(path.pixel);
-    if (unfolding.shown == 0 || planes.part[i] != thing_at(frame_.view.level, at)) return true;
+    const glm::ivec2 i = film_pixel(path.pixel);
+    if (unfolding.shown == 0 || planes.part.at(i.x, i.y) != thing_at(frame_.view.level, at)) return true;
     const float step = glm::dot(at.surface.position - unfolding.position, unfolding.geometric);
     if (!(glm::dot(at.geometric, unfolding.geometric) > kOneFace) ||
         !(std::abs(step) < kOnPlane * glm::distance(path.ray.origin, at.surface.position)))
         return true;
     ++unfolding.shown;
-    planes.albedo[i] += bsdf.diffuse_albedo();
-    planes.gloss[i] += bsdf.gloss_albedo();
+    planes.albedo.set(i.x, i.y, planes.albedo.get(i.x, i.y) + bsdf.diffuse_albedo());
+    planes.gloss.set(i.x, i.y, planes.gloss.get(i.x, i.y) + bsdf.gloss_albedo());
     return false;
 }
 
@@ -107,7 +110,8 @@ bool PathTile<kFeatures>::shows_another(const Path& path, const ShadingPoint& at
 template <unsigned kFeatures>
 void PathTile<kFeatures>::note_reflection(const Path& path, float t) {
     if (!fills_planes(path) || !path.is_first_leg || path.channel != Channel::Specular) return;
-    film_->planes.reflected[film_index(path.pixel)] = t;
+    const glm::ivec2 at = film_pixel(path.pixel);
+    film_->planes.reflected.at(at.x, at.y) = t;
 }
 
 // What of the pixel's light is not that of the surface the planes tell of passes unfiltered. Where that surface fills a
@@ -128,15 +132,18 @@ void PathTile<kFeatures>::note_light(std::uint16_t pixel, std::uint32_t samples)
     const glm::dvec3& mirrored = light[static_cast<std::size_t>(Channel::Mirrored)];
     specular += mirrored * share;
     clean += mirrored * (1.0 - share);
-    const std::size_t at = film_index(pixel);
+    const glm::ivec2 at = film_pixel(pixel);
     const auto mean = [&](const glm::dvec3& sum) { return glm::vec3(sum / static_cast<double>(samples)); };
     FilmPlanes& planes = film_->planes;
-    planes.direct.pixels[at] = mean(direct);
-    planes.indirect.pixels[at] = mean(indirect);
-    planes.specular.pixels[at] = mean(specular);
-    planes.clean.pixels[at] = mean(clean);
-    planes.albedo[at] /= static_cast<float>(samples);
-    planes.gloss[at] /= static_cast<float>(samples);
+    const auto share_out = [&](Plane3& colour) {
+        colour.set(at.x, at.y, colour.get(at.x, at.y) / static_cast<float>(samples));
+    };
+    planes.direct.set(at.x, at.y, mean(direct));
+    planes.indirect.set(at.x, at.y, mean(indirect));
+    planes.specular.set(at.x, at.y, mean(specular));
+    planes.clean.set(at.x, at.y, mean(clean));
+    share_out(planes.albedo);
+    share_out(planes.gloss);
 }
 
 }  // namespace gh::render

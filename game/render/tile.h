@@ -38,7 +38,7 @@ struct Frame {
     Lens lens;
     std::uint32_t number = 0;
     int width = 0, height = 0;
-    FilmPlanes* guide = nullptr;  // to be filled: only what is seen is of interest, not its light
+    GuidePlanes* guide = nullptr;  // to be filled: only what is seen is of interest, not its light
 };
 
 // Scratch memory for one thread; trace() may be called for any number of tiles, one after the other.

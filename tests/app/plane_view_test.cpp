@@ -25,15 +25,17 @@ struct Wall {
         film.right = before.right = {1.0f, 0.0f, 0.0f};
         film.down = before.down = {0.0f, -1.0f, 0.0f};
         film.eye = {0.5f, 0.0f, 0.0f};
-        for (std::size_t i = 0; i < film.part.size(); ++i) {
-            const auto x = static_cast<float>(i % kWidth), y = static_cast<float>(i / kWidth);
-            film.part[i] = 3;
-            film.position[i] = film.eye + film.corner + film.right * (x + 0.5f) + film.down * (y + 0.5f);
-            film.previous[i] = film.position[i];
-            film.normal[i] = {0.0f, 0.0f, 1.0f};
-            film.albedo[i] = {1.0f, 0.0f, 0.2140411f};  // sRGB 1, 0, .5
-            film.rays[i] = 4.0f;
+        film.part.resize(kWidth, kHeight, 3);
+        film.normal.resize(kWidth, kHeight, {0.0f, 0.0f, 1.0f});
+        film.albedo.resize(kWidth, kHeight, {1.0f, 0.0f, 0.2140411f});  // sRGB 1, 0, .5
+        film.rays.resize(kWidth, kHeight, 4.0f);
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                const float across = static_cast<float>(x) + 0.5f, below = static_cast<float>(y) + 0.5f;
+                film.position.set(x, y, film.eye + film.corner + film.right * across + film.down * below);
+            }
         }
+        film.previous = film.position;
     }
     [[nodiscard]] Image8 painted(PlaneView view) const {
         Image8 out;
@@ -71,11 +73,9 @@ TEST(PlaneView, ShowsColoursNormalsAndMotionAsTheyAre) {
 TEST(PlaneView, SkyAndWhatIsNoNumberAreBlackInEveryView) {
     Wall wall;
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    const std::size_t middle = wall.film.direct.index(2, 1);
-    wall.film.part[middle] = render::FilmPlanes::kSky;
-    const std::size_t beside = wall.film.direct.index(3, 1);
-    wall.film.normal[beside] = wall.film.albedo[beside] = wall.film.position[beside] = glm::vec3(nan);
-    wall.film.direct.pixels[beside] = glm::vec3(nan);
+    wall.film.part.at(2, 1) = render::FilmPlanes::kSky;
+    for (Plane3* plane : {&wall.film.normal, &wall.film.albedo, &wall.film.position, &wall.film.direct})
+        plane->set(3, 1, glm::vec3(nan));
     for (const PlaneView view :
          {PlaneView::Albedo, PlaneView::Normal, PlaneView::Depth, PlaneView::Variance}) {
         const Image8 out = wall.painted(view);

@@ -99,7 +99,7 @@ TEST(Reshading, WhatMovesKeepsItsPastAndSoDoesTheWallBesideIt) {
         reshading.ask_again({now.level, now.snapshot, now.prepared}, jobs, change);
         for (int y = 0; y < kHeight; ++y) {
             for (int x = 0; x < kWidth; ++x) {
-                const glm::vec3& met = film.planes.position[film.radiance.index(x, y)];
+                const glm::vec3 met = film.planes.position.get(x, y);
                 const bool is_crate = met.x > -0.75f && met.x < -0.05f && met.y > 1.15f && met.z > 0.75f;
                 crates += is_crate ? 1 : 0;
                 on_crate += is_crate ? static_cast<double>(change.at(x, y)) : 0.0;

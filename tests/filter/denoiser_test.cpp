@@ -242,8 +242,8 @@ TEST(Denoiser, TakesEmptyLightsAndAnEmptyPicture) {
     EXPECT_EQ(out.get(48, 50), frame.noisy.clean.get(48, 50));
 }
 
-// The game's film is taken apart row by row as the filters come to it, and put together as they leave: nobody may look
-// at a row before it is there.
+// Pictures may be filled row by row as the filters come to them, and the film's is put together as they leave: nobody may
+// look at a row before it is there.
 TEST(Denoiser, RowsThatAreFilledAndTakenAsTheyAreNeededGiveTheSameBits) {
     for (const int threads : {1, 3}) {
         const Jobs jobs(threads);

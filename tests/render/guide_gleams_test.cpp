@@ -38,8 +38,8 @@ Studio polished_room() {
     return studio;
 }
 
-render::FilmPlanes guide_of(const Studio& studio, const render::LastPicture* last, int threads = 1) {
-    render::FilmPlanes planes;
+render::GuidePlanes guide_of(const Studio& studio, const render::LastPicture* last, int threads = 1) {
+    render::GuidePlanes planes;
     render::render_guide({studio.level, studio.snapshot, studio.prepared, nullptr, last}, kAbove, {}, kSize,
                          Jobs(threads), planes);
     return planes;
@@ -55,7 +55,7 @@ Image filled(const glm::vec3& colour) {
 // eye and no number at all were not in sight. A picture of twice the sides has that place between its pixels.
 TEST(LastPicture, FindsWhatItShowedAndNothingElse) {
     const Studio studio = polished_room();
-    const render::FilmPlanes guide = guide_of(studio, nullptr);
+    const render::GuidePlanes guide = guide_of(studio, nullptr);
     for (const int scale : {1, 2}) {
         Image ramp(kSize.x * scale, kSize.y * scale);
         for (int y = 0; y < ramp.height; ++y) {
@@ -64,7 +64,7 @@ TEST(LastPicture, FindsWhatItShowedAndNothingElse) {
         const render::LastPicture last(ramp, guide, kSize);
         int found = 0;
         for (std::size_t i = 0; i < guide.part.size(); ++i) {
-            if (guide.part[i] == render::FilmPlanes::kSky) continue;
+            if (guide.part[i] == render::GuidePlanes::kSky) continue;
             const glm::vec3& at = guide.position[i];
             const auto seen = last.seen(at, guide.part[i]);
             ASSERT_TRUE(seen.has_value()) << i;
@@ -85,10 +85,10 @@ TEST(LastPicture, FindsWhatItShowedAndNothingElse) {
 // A column that nobody knows the reflections of is seen in a floor all the same.
 TEST(LastPicture, FindsWhatIsPolishedItself) {
     const Studio studio = polished_room();
-    render::FilmPlanes guide = guide_of(studio, nullptr);
+    render::GuidePlanes guide = guide_of(studio, nullptr);
     const std::size_t middle = guide.part.size() / 2 + static_cast<std::size_t>(kSize.x) / 2;
     const std::uint32_t part = guide.part[middle];
-    guide.part[middle] |= render::FilmPlanes::kUnmirrored;
+    guide.part[middle] |= render::GuidePlanes::kUnmirrored;
     const Image picture = filled(glm::vec3(0.3f));
     EXPECT_TRUE(render::LastPicture(picture, guide, kSize).seen(guide.position[middle], part));
 }
@@ -97,11 +97,11 @@ TEST(LastPicture, FindsWhatIsPolishedItself) {
 TEST(GuideGleams, AFloorMirrorsWhatTheLastPictureShowed) {
     Studio studio = polished_room();
     studio.level.lamps[0].intensity = glm::vec3(0.0f);
-    const render::FilmPlanes before = guide_of(studio, nullptr);
+    const render::GuidePlanes before = guide_of(studio, nullptr);
     const glm::vec3 colour(2.0f, 1.0f, 0.5f);
     const Image picture = filled(colour);
     const render::LastPicture last(picture, before, kSize);
-    const render::FilmPlanes guide = guide_of(studio, &last);
+    const render::GuidePlanes guide = guide_of(studio, &last);
     int mirrored = 0, unknown = 0;
     for (std::size_t i = 0; i < guide.part.size(); ++i) {
         if (before.part[i] != 0) {
@@ -138,9 +138,9 @@ TEST(GuideGleams, WhatIsLeftToLightIsLittle) {
     render::WhittedSettings settings;
     settings.shares_samples = false;
     const Image picture = studio.picture(kAbove, kSize.x, kSize.y, settings);
-    const render::FilmPlanes before = guide_of(studio, nullptr);
+    const render::GuidePlanes before = guide_of(studio, nullptr);
     const render::LastPicture last(picture, before, kSize);
-    const render::FilmPlanes guide = guide_of(studio, &last);
+    const render::GuidePlanes guide = guide_of(studio, &last);
     double all = 0.0, left = 0.0, brightest = 0.0;
     for (std::size_t i = 0; i < guide.part.size(); ++i) {
         if (guide.part[i] != 0) continue;  // the floor, where it is known what it mirrors
@@ -161,11 +161,11 @@ TEST(GuideGleams, WhatWasOutOfSightIsMarked) {
     const std::uint32_t ceiling =
         studio.add_sheet({0, kCeilingAt, -1}, {6, 0, 0}, {0, 0, 3}, test::matte(glm::vec3(0.5f)));
     studio.open();
-    const render::FilmPlanes before = guide_of(studio, nullptr);
+    const render::GuidePlanes before = guide_of(studio, nullptr);
     for (const std::uint32_t part : before.part) ASSERT_NE(part, ceiling);
     const Image picture = filled(glm::vec3(1.0f));
     const render::LastPicture last(picture, before, kSize);
-    const render::FilmPlanes guide = guide_of(studio, &last);
+    const render::GuidePlanes guide = guide_of(studio, &last);
     int marked = 0;
     for (std::size_t i = 0; i < guide.part.size(); ++i) {
         if (before.part[i] != 0) continue;
@@ -174,7 +174,7 @@ TEST(GuideGleams, WhatWasOutOfSightIsMarked) {
         const glm::vec2 above(guide.position[i].x + way.x / up, guide.position[i].z + way.z / up);
         if (at_wall < 2.05f || std::abs(above.x) > 5.9f || std::abs(above.y + 1.0f) > 2.9f) continue;
         ++marked;
-        EXPECT_EQ(guide.part[i], render::FilmPlanes::kUnmirrored) << i;
+        EXPECT_EQ(guide.part[i], render::GuidePlanes::kUnmirrored) << i;
         EXPECT_EQ(guide.clean.pixels[i], glm::vec3(0.0f)) << i;
     }
     EXPECT_GT(marked, 200);
@@ -187,10 +187,10 @@ TEST(GuideGleams, HighlightsHaveShadows) {
         if (is_hidden)
             studio.add_sheet({0.3f, 1.0f, -1.5f}, {1, 0, 0}, {0, 0, 1}, test::matte(glm::vec3(0.5f)));
         studio.open();
-        const render::FilmPlanes before = guide_of(studio, nullptr);
+        const render::GuidePlanes before = guide_of(studio, nullptr);
         const Image picture = filled(glm::vec3(0.0f));
         const render::LastPicture last(picture, before, kSize);
-        const render::FilmPlanes guide = guide_of(studio, &last);
+        const render::GuidePlanes guide = guide_of(studio, &last);
         // Near the mirror image of the lamp, which the board covers from there.
         const glm::vec3 lamp = studio.level.lamps[0].position;
         const glm::vec3 image(lamp.x, -lamp.y, lamp.z);
@@ -210,10 +210,10 @@ TEST(GuideGleams, HighlightsHaveShadows) {
 
 TEST(GuideGleams, ThreadsDoNotMatter) {
     const Studio studio = polished_room();
-    const render::FilmPlanes before = guide_of(studio, nullptr);
+    const render::GuidePlanes before = guide_of(studio, nullptr);
     const Image picture = filled(glm::vec3(0.3f));
     const render::LastPicture last(picture, before, kSize);
-    const render::FilmPlanes one = guide_of(studio, &last), three = guide_of(studio, &last, 3);
+    const render::GuidePlanes one = guide_of(studio, &last), three = guide_of(studio, &last, 3);
     EXPECT_EQ(one.part, three.part);
     EXPECT_EQ(one.clean.pixels, three.clean.pixels);
 }

@@ -54,7 +54,7 @@ Studio room_with_floor(float roughness) {
 constexpr std::uint32_t kMetal = 2;  // the part that comes after the room's two
 
 struct Seen {
-    render::FilmPlanes guide;
+    render::GuidePlanes guide;
     Image picture;
 };
 // The guide of a picture that follows one of the same view.
@@ -63,7 +63,7 @@ Seen seen_twice(const Studio& studio) {
     settings.shares_samples = false;
     Seen seen{{}, studio.picture(kEye, kSize.x, kSize.y, settings)};
     const render::SceneView view{studio.level, studio.snapshot, studio.prepared};
-    render::FilmPlanes before;
+    render::GuidePlanes before;
     render::render_guide(view, kEye, settings, kSize, Jobs(1), before);
     const render::LastPicture last(seen.picture, before, kSize);
     render::render_guide({studio.level, studio.snapshot, studio.prepared, nullptr, &last}, kEye, settings,
@@ -79,7 +79,7 @@ render::Polish polish_at(const Studio& studio, const glm::vec3& way, float rough
 TEST(GuideMetals, WhatWasOutOfSightIsGuessed) {
     constexpr float kRoughness = 0.1f;  // all of it is followed
     const Studio studio = room_with_floor(kRoughness);
-    const render::FilmPlanes guide = seen_twice(studio).guide;
+    const render::GuidePlanes guide = seen_twice(studio).guide;
     const render::AmbientLight baked(studio.prepared.ambient, {});
     int guessed = 0;
     for (std::size_t i = 0; i < guide.part.size(); ++i) {
@@ -105,7 +105,7 @@ TEST(GuideMetals, WhatWasOutOfSightIsGuessed) {
 TEST(GuideMetals, DullOnesGiveBackWhatIsBaked) {
     constexpr float kRoughness = 0.42f;
     const Studio studio = room_with_floor(kRoughness);
-    const render::FilmPlanes guide = seen_twice(studio).guide;
+    const render::GuidePlanes guide = seen_twice(studio).guide;
     const render::AmbientLight baked(studio.prepared.ambient, {});
     int dull = 0;
     for (std::size_t i = 0; i < guide.part.size(); ++i) {
@@ -128,7 +128,7 @@ TEST(GuideMetals, AreSeenThemselvesUnlessTheyAreClearMirrors) {
         Studio studio = room();
         studio.add_ball(kBall, 0.6f, 32, brass(roughness));
         studio.open({.bakes_ambient = true});
-        const render::FilmPlanes guide = seen_twice(studio).guide;
+        const render::GuidePlanes guide = seen_twice(studio).guide;
         int ball = 0;
         for (std::size_t i = 0; i < guide.part.size(); ++i) {
             if (guide.part[i] != kMetal) continue;

@@ -35,8 +35,8 @@ Studio room() {
 
 const render::Camera kCamera{.position = {0.2f, 1.4f, 2.5f}, .yaw = 0.1f, .pitch = -0.1f, .fov_y = 1.1f};
 
-render::FilmPlanes guide_of(const Studio& studio, const glm::vec2& jitter, int threads = 1) {
-    render::FilmPlanes planes;
+render::GuidePlanes guide_of(const Studio& studio, const glm::vec2& jitter, int threads = 1) {
+    render::GuidePlanes planes;
     const Jobs jobs(threads);
     render::WhittedSettings settings;
     settings.jitter = jitter;
@@ -48,7 +48,7 @@ render::FilmPlanes guide_of(const Studio& studio, const glm::vec2& jitter, int t
 // Nothing here is on an edge by less than rounding but a few pixels: the path tracer's rays differ in their last bits.
 TEST(Guide, ShowsTheSurfacesThatPathsNote) {
     const Studio studio = room();
-    const render::FilmPlanes guide = guide_of(studio, glm::vec2(0.0f));
+    const render::GuidePlanes guide = guide_of(studio, glm::vec2(0.0f));
     render::Film film(kSize.x, kSize.y);
     render::PathSettings settings;
     settings.fills_planes = settings.splits_glass = true;
@@ -57,17 +57,19 @@ TEST(Guide, ShowsTheSurfacesThatPathsNote) {
                         film);
     int others = 0, sky = 0, seen_in_mirror = 0;
     for (std::size_t i = 0; i < guide.part.size(); ++i) {
-        const bool is_sky = guide.part[i] == render::FilmPlanes::kSky;
+        const int x = static_cast<int>(i) % kSize.x, y = static_cast<int>(i) / kSize.x;
+        const bool is_sky = guide.part[i] == render::GuidePlanes::kSky;
         sky += is_sky ? 1 : 0;
-        if (is_sky != (film.planes.part[i] == render::FilmPlanes::kSky)) {
+        if (is_sky != (film.planes.part.at(x, y) == render::FilmPlanes::kSky)) {
             ++others;
             continue;
         }
         if (is_sky) continue;
         const float distance = glm::distance(guide.eye, guide.position[i]);
         seen_in_mirror += guide.position[i].z < -3.1f ? 1 : 0;
-        const bool is_same = glm::distance(guide.position[i], film.planes.position[i]) < 2e-3f * distance &&
-                             glm::dot(guide.geometric[i], film.planes.geometric[i]) > 0.999f;
+        const bool is_same =
+            glm::distance(guide.position[i], film.planes.position.get(x, y)) < 2e-3f * distance &&
+            glm::dot(guide.geometric[i], film.planes.geometric.get(x, y)) > 0.999f;
         others += is_same ? 0 : 1;
     }
     EXPECT_GT(sky, 50);
@@ -78,7 +80,7 @@ TEST(Guide, ShowsTheSurfacesThatPathsNote) {
 // In the dark a picture is what shines by itself, in mirrors and behind glass too.
 TEST(Guide, WhatShinesByItselfIsThePictureInTheDark) {
     Studio studio = room();
-    const render::FilmPlanes guide = guide_of(studio, glm::vec2(0.2f, -0.3f));
+    const render::GuidePlanes guide = guide_of(studio, glm::vec2(0.2f, -0.3f));
     studio.level.lamps[0].direction = {0.0f, 1.0f,
                                        0.0f};  // from below: it lights the sky and nothing else here
     render::WhittedSettings settings;
@@ -99,8 +101,8 @@ TEST(Guide, WhatShinesByItselfIsThePictureInTheDark) {
 
 TEST(Guide, ThreadsDoNotMatter) {
     const Studio studio = room();
-    const render::FilmPlanes one = guide_of(studio, glm::vec2(0.1f)),
-                             three = guide_of(studio, glm::vec2(0.1f), 3);
+    const render::GuidePlanes one = guide_of(studio, glm::vec2(0.1f)),
+                              three = guide_of(studio, glm::vec2(0.1f), 3);
     EXPECT_EQ(one.part, three.part);
     EXPECT_EQ(one.position, three.position);
     EXPECT_EQ(one.albedo, three.albedo);
@@ -116,7 +118,7 @@ TEST(Guide, KnowsWhereThingsWere) {
     moved.level.parts[5].mover = world::Mover::Door;
     moved.level.parts[5].mover_from_part[3] += glm::vec3(0.3f, 0.0f, 0.0f);
     moved.open();
-    render::FilmPlanes planes;
+    render::GuidePlanes planes;
     render::render_guide({moved.level, moved.snapshot, moved.prepared, &before}, kCamera, {}, kSize, Jobs(1),
                          planes);
     int of_box = 0;

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <cmath>
 
 namespace gh {
 namespace {
@@ -42,8 +42,12 @@ TEST(PathPlanes, ASurfaceBehindPanesIsToldOfInEveryPixel) {
     studio.add_sheet({0, 0, -2}, {4, 0, 0}, {0, 4, 0}, test::matte(glm::vec3(0.5f)));
     studio.open();
     const render::Film film = film_of(studio, for_filters(1));
-    EXPECT_EQ(std::ranges::count(film.planes.part, render::FilmPlanes::kSky), 0);
-    for (const glm::vec3& albedo : film.planes.albedo) EXPECT_EQ(albedo, glm::vec3(0.5f));
+    for (int y = 0; y < kSide; ++y) {
+        for (int x = 0; x < kSide; ++x) {
+            EXPECT_NE(film.planes.part.at(x, y), render::FilmPlanes::kSky);
+            EXPECT_EQ(film.planes.albedo.get(x, y), glm::vec3(0.5f));
+        }
+    }
 }
 
 // What two panes mirror of a bright wall behind the eye, before a black one: by every border once, in every pixel. With
@@ -81,21 +85,21 @@ TEST(PathPlanes, AnEdgesColourIsThatOfItsShare) {
     const render::Film film = film_of(studio, settings);
     const render::FilmPlanes& planes = film.planes;
     int edges = 0;
-    for (std::size_t i = 0; i < planes.part.size(); ++i) {
-        const glm::vec3& whole = planes.part[i] == planes.part[0] ? dark : bright;
-        const float share = planes.albedo[i].y / whole.y;
-        EXPECT_NEAR(planes.direct.pixels[i].y / planes.albedo[i].y, 3.0f / test::kPiF, 1e-5f);
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const int x = i % kSide, y = i / kSide;
+        const bool is_dark = planes.part.at(x, y) == planes.part.at(0, 0);
+        const float albedo = planes.albedo.y.at(x, y), share = albedo / (is_dark ? dark : bright).y;
+        EXPECT_NEAR(planes.direct.y.at(x, y) / albedo, 3.0f / test::kPiF, 1e-5f);
         EXPECT_NEAR(share * samples, std::round(share * samples), 1e-3f) << "so many samples";
-        const glm::vec3& sum = film.radiance.pixels[i];
-        const glm::vec3 told = planes.direct.pixels[i] + planes.clean.pixels[i];
-        EXPECT_NEAR(sum.y, told.y, 1e-6f);
+        const glm::vec3 clean = planes.clean.get(x, y);
+        EXPECT_NEAR(film.radiance.at(x, y).y, planes.direct.y.at(x, y) + clean.y, 1e-6f);
         if (share > 0.999f) {
-            EXPECT_EQ(planes.clean.pixels[i], glm::vec3(0.0f));
+            EXPECT_EQ(clean, glm::vec3(0.0f));
             continue;
         }
         ++edges;
-        const glm::vec3& other = planes.part[i] == planes.part[0] ? bright : dark;
-        EXPECT_NEAR(planes.clean.pixels[i].y, (1.0f - share) * other.y * 3.0f / test::kPiF, 1e-5f);
+        const glm::vec3& other = is_dark ? bright : dark;
+        EXPECT_NEAR(clean.y, (1.0f - share) * other.y * 3.0f / test::kPiF, 1e-5f);
     }
     EXPECT_EQ(edges, kSide) << "one column of pixels shows both";
 }
@@ -114,12 +118,12 @@ TEST(PathPlanes, AnotherFaceOfTheSameThingIsAnother) {
         film_of(studio, settings, test::narrow({3.0f + aside, 0, 3.0f}, test::kPiF / 4.0f));
     const render::FilmPlanes& planes = film.planes;
     int edges = 0;
-    for (std::size_t i = 0; i < planes.part.size(); ++i) {
-        const float share = planes.albedo[i].y / 0.5f;
-        const bool has_sun = planes.normal[i].x > 0.5f;
-        EXPECT_NEAR(planes.direct.pixels[i].y / planes.albedo[i].y, has_sun ? 3.0f / test::kPiF : 0.0f,
-                    1e-5f);
-        EXPECT_NEAR(planes.clean.pixels[i].y, has_sun ? 0.0f : (1.0f - share) * 1.5f / test::kPiF, 1e-5f);
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const int x = i % kSide, y = i / kSide;
+        const float albedo = planes.albedo.y.at(x, y), share = albedo / 0.5f;
+        const bool has_sun = planes.normal.x.at(x, y) > 0.5f;
+        EXPECT_NEAR(planes.direct.y.at(x, y) / albedo, has_sun ? 3.0f / test::kPiF : 0.0f, 1e-5f);
+        EXPECT_NEAR(planes.clean.y.at(x, y), has_sun ? 0.0f : (1.0f - share) * 1.5f / test::kPiF, 1e-5f);
         edges += share < 0.999f ? 1 : 0;
     }
     EXPECT_EQ(edges, kSide) << "one column of pixels shows both";

@@ -86,6 +86,12 @@ TEST(PathSameBits, EveryIsaMakesOnePicture) {
     }
 }
 
+// What the planes say all light of a pixel is.
+glm::vec3 light_at(const render::FilmPlanes& planes, int x, int y) {
+    return planes.direct.get(x, y) + planes.indirect.get(x, y) + planes.specular.get(x, y) +
+           planes.clean.get(x, y);
+}
+
 // A pixel does not know which other pixels are in the picture: only lens and place count.
 TEST(PathSameBits, PlanesSumToThePictureAndChangeNothing) {
     Studio studio;
@@ -99,23 +105,24 @@ TEST(PathSameBits, PlanesSumToThePictureAndChangeNothing) {
     EXPECT_EQ(plain.pixels, film.radiance.pixels);
     const render::FilmPlanes& planes = film.planes;
     std::size_t surfaces = 0, direct = 0, indirect = 0, specular = 0;
-    for (std::size_t i = 0; i < planes.part.size(); ++i) {
-        const glm::vec3 sum = planes.direct.pixels[i] + planes.indirect.pixels[i] +
-                              planes.specular.pixels[i] + planes.clean.pixels[i];
-        EXPECT_NEAR(sum.y, film.radiance.pixels[i].y, 1e-5f * (1.0f + sum.y));
-        direct += planes.direct.pixels[i].y > 0.0f;
-        indirect += planes.indirect.pixels[i].y > 0.0f;
-        specular += planes.specular.pixels[i].y > 0.0f;
-        if (planes.part[i] == render::FilmPlanes::kSky) continue;
+    const std::size_t pixels = film.radiance.pixels.size();
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const int x = static_cast<int>(i % 48), y = static_cast<int>(i / 48);
+        const float sum = light_at(planes, x, y).y;
+        EXPECT_NEAR(sum, film.radiance.pixels[i].y, 1e-5f * (1.0f + sum));
+        direct += planes.direct.y.at(x, y) > 0.0f;
+        indirect += planes.indirect.y.at(x, y) > 0.0f;
+        specular += planes.specular.y.at(x, y) > 0.0f;
+        if (planes.part.at(x, y) == render::FilmPlanes::kSky) continue;
         ++surfaces;
-        EXPECT_NEAR(glm::length(planes.normal[i]), 1.0f, 1e-4f);
-        EXPECT_LT(glm::dot(planes.geometric[i], planes.position[i] - planes.eye), 1e-3f);
-        EXPECT_EQ(planes.position[i], planes.previous[i]);
+        EXPECT_NEAR(glm::length(planes.normal.get(x, y)), 1.0f, 1e-4f);
+        EXPECT_LT(glm::dot(planes.geometric.get(x, y), planes.position.get(x, y) - planes.eye), 1e-3f);
+        EXPECT_EQ(planes.position.get(x, y), planes.previous.get(x, y));
     }
-    EXPECT_GT(surfaces, planes.part.size() * 9 / 10);
-    EXPECT_GT(direct, planes.part.size() / 2);
-    EXPECT_GT(indirect, planes.part.size() / 2);
-    EXPECT_GT(specular, planes.part.size() / 50);
+    EXPECT_GT(surfaces, pixels * 9 / 10);
+    EXPECT_GT(direct, pixels / 2);
+    EXPECT_GT(indirect, pixels / 2);
+    EXPECT_GT(specular, pixels / 50);
 }
 
 // What a plane mirror shows lies straight ahead, behind it.
@@ -130,14 +137,15 @@ TEST(PathSameBits, PlanesUnfoldMirrors) {
     render::Film film(9, 9);
     render::Camera camera{.position = {0, 0, 0}, .yaw = test::kPiF, .fov_y = 0.8f};
     render::render_path({studio.level, studio.snapshot, studio.prepared}, camera, settings, 0, Jobs(1), film);
-    EXPECT_NEAR(film.planes.position[0].z, 3.0f, 1e-4f);
-    const std::uint32_t wall = film.planes.part[0];  // who looks straight at it
+    EXPECT_NEAR(film.planes.position.z.at(0, 0), 3.0f, 1e-4f);
+    const std::uint32_t wall = film.planes.part.at(0, 0);  // who looks straight at it
     camera.yaw = 0.0f;
     render::render_path({studio.level, studio.snapshot, studio.prepared}, camera, settings, 0, Jobs(1), film);
-    for (std::size_t i = 0; i < film.planes.part.size(); ++i) {
-        EXPECT_EQ(film.planes.part[i], wall);
-        EXPECT_NEAR(film.planes.position[i].z, -7.0f, 1e-4f);  // 2 to the mirror, 5 back to the wall
-        EXPECT_NEAR(film.planes.normal[i].z, 1.0f, 1e-5f);
+    for (int i = 0; i < 81; ++i) {
+        const int x = i % 9, y = i / 9;
+        EXPECT_EQ(film.planes.part.at(x, y), wall);
+        EXPECT_NEAR(film.planes.position.z.at(x, y), -7.0f, 1e-4f);  // 2 to the mirror, 5 back to the wall
+        EXPECT_NEAR(film.planes.normal.z.at(x, y), 1.0f, 1e-5f);
     }
 }
 
@@ -157,18 +165,17 @@ TEST(PathSameBits, PlanesCountLightOnWhatIsBesideTheirSurfaceAsNoneOfIts) {
     const render::Camera camera{.position = {0, 0, 0}, .fov_y = 0.6f};
     render::render_path({studio.level, studio.snapshot, studio.prepared}, camera, settings, 0, Jobs(1), film);
     const render::FilmPlanes& planes = film.planes;
-    const std::uint32_t sheet = planes.part[0], wall = planes.part[8];
+    const std::uint32_t sheet = planes.part.at(0, 0), wall = planes.part.at(8, 0);
     ASSERT_NE(sheet, wall);
-    const float on_sheet = planes.direct.pixels[0].y, on_wall = planes.direct.pixels[8].y;
+    const float on_sheet = planes.direct.y.at(0, 0), on_wall = planes.direct.y.at(8, 0);
     ASSERT_GT(on_sheet, 50.0f * on_wall);
     int mixed = 0;
-    for (std::size_t i = 0; i < planes.part.size(); ++i) {
-        const float share = planes.part[i] == sheet ? on_sheet : on_wall;  // of all samples, if they show it
-        EXPECT_LT(planes.direct.pixels[i].y, 1.3f * share) << i;
-        const glm::vec3 sum = planes.direct.pixels[i] + planes.indirect.pixels[i] +
-                              planes.specular.pixels[i] + planes.clean.pixels[i];
-        EXPECT_NEAR(sum.y, film.radiance.pixels[i].y, 1e-5f);
-        mixed += planes.part[i] == wall && planes.clean.pixels[i].y > 0.1f * on_sheet ? 1 : 0;
+    for (int i = 0; i < 81; ++i) {
+        const int x = i % 9, y = i / 9;
+        const bool is_wall = planes.part.at(x, y) != sheet;
+        EXPECT_LT(planes.direct.y.at(x, y), 1.3f * (is_wall ? on_wall : on_sheet)) << i;  // of all samples
+        EXPECT_NEAR(light_at(planes, x, y).y, film.radiance.at(x, y).y, 1e-5f);
+        mixed += is_wall && planes.clean.y.at(x, y) > 0.1f * on_sheet ? 1 : 0;
     }
     EXPECT_GT(mixed, 0) << "the test's edge is no challenge";
 }
@@ -191,13 +198,13 @@ TEST(PathSameBits, PlanesTellMaterialsApartAndSayHowMuchTheyMirror) {
     const render::Camera camera{.position = {0, 0, 0}, .fov_y = 0.1f};
     render::render_path({studio.level, studio.snapshot, studio.prepared}, camera, settings, 0, Jobs(1), film);
     const render::FilmPlanes& planes = film.planes;
-    for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(planes.part[i], planes.part[i < 4 ? 0 : 7]) << i;
-    EXPECT_NE(planes.part[0], planes.part[7]);
-    EXPECT_NEAR(planes.gloss[0].x, 0.9f, 0.02f);
-    EXPECT_NEAR(planes.gloss[0].z, 0.3f, 0.05f);
-    EXPECT_GT(planes.gloss[7].x, 0.01f);
-    EXPECT_LT(planes.gloss[7].x, 0.06f);
-    EXPECT_EQ(planes.albedo[0], glm::vec3(0.0f));
+    for (int i = 0; i < 8; ++i) EXPECT_EQ(planes.part.at(i, 0), planes.part.at(i < 4 ? 0 : 7, 0)) << i;
+    EXPECT_NE(planes.part.at(0, 0), planes.part.at(7, 0));
+    EXPECT_NEAR(planes.gloss.x.at(0, 0), 0.9f, 0.02f);
+    EXPECT_NEAR(planes.gloss.z.at(0, 0), 0.3f, 0.05f);
+    EXPECT_GT(planes.gloss.x.at(7, 0), 0.01f);
+    EXPECT_LT(planes.gloss.x.at(7, 0), 0.06f);
+    EXPECT_EQ(planes.albedo.get(0, 0), glm::vec3(0.0f));
 }
 
 TEST(PathSameBits, NoMaterialHoweverBrokenMakesAPixelThatIsNotANumber) {

@@ -74,7 +74,7 @@ class Pictures {
     app::View view_;
     render::Film film_;
     Image8 large_{1280, 720};
-    render::FilmPlanes guide_;
+    render::GuidePlanes guide_;
     Samples traced_, guided_, exposed_, developed_, upscaled_;
     std::uint32_t frame_ = 0;
 };

@@ -22,18 +22,16 @@ using gh::render::Film;
 
 constexpr float kSigma = 2.0f;  // pixels
 
-Plane3 mended(const Image& image, const Jobs& jobs) {
-    Plane3 raw, out;
-    gh::filter::planes_from(image, raw);
-    gh::filter::mend(raw, {}, jobs, out);
+Plane3 mended(const Plane3& light, const Jobs& jobs) {
+    Plane3 out;
+    gh::filter::mend(light, {}, jobs, out);
     return out;
 }
 
-Plane3 planes_of(const std::vector<glm::vec3>& vectors, int width) {
-    Plane3 out(width, static_cast<int>(vectors.size()) / width);
-    for (std::size_t i = 0; i < vectors.size(); ++i)
-        out.set(static_cast<int>(i) % width, static_cast<int>(i) / width, vectors[i]);
-    return out;
+Image image_of(const Plane3& planes) {
+    Image image;
+    gh::filter::image_from(planes, image);
+    return image;
 }
 
 // A picture in two: what is blurred, and what stays where it is. That is what lamps and mirrors show by themselves, and what
@@ -46,9 +44,10 @@ struct Parted {
 Parted parted(const Film& film, const Jobs& jobs) {
     constexpr float kBright = 2.0f;
     Image light = film.radiance;
-    for (std::size_t i = 0; i < light.pixels.size(); ++i) light.pixels[i] -= film.planes.clean.pixels[i];
-    gh::filter::image_from(mended(light, jobs), light);
-    Parted parts{{}, film.planes.clean};
+    Parted parts{{}, image_of(film.planes.clean)};
+    for (std::size_t i = 0; i < light.pixels.size(); ++i) light.pixels[i] -= parts.still.pixels[i];
+    gh::filter::planes_from(light, parts.light);
+    light = image_of(mended(parts.light, jobs));
     for (std::size_t i = 0; i < light.pixels.size(); ++i) {
         glm::vec3& shown = light.pixels[i];
         const float peak = std::max(std::max(shown.x, shown.y), shown.z);
@@ -84,19 +83,20 @@ void by_bilateral(Film& film, const Jobs& jobs) {
 void by_surfaces(Film& film, const Jobs& jobs) {
     const int width = film.radiance.width, height = film.radiance.height;
     gh::filter::GBuffer surfaces;
-    surfaces.part.fit(width, height);
-    for (std::size_t i = 0; i < film.planes.part.size(); ++i)
-        surfaces.part.at(static_cast<int>(i) % width, static_cast<int>(i) / width) = film.planes.part[i];
-    surfaces.position = planes_of(film.planes.position, width);
-    surfaces.normal = planes_of(film.planes.normal, width);
-    surfaces.geometric = planes_of(film.planes.geometric, width);
-    surfaces.albedo = planes_of(film.planes.albedo, width);
+    surfaces.part = film.planes.part;
+    surfaces.position = film.planes.position;
+    surfaces.normal = film.planes.normal;
+    surfaces.geometric = film.planes.geometric;
+    surfaces.albedo = film.planes.albedo;
     surfaces.lens = {film.planes.eye, film.planes.corner, film.planes.right, film.planes.down};
     gh::filter::Guides guides;
     gh::filter::make_guides(surfaces, jobs, guides);
 
-    Image dull = film.planes.direct;
-    for (std::size_t i = 0; i < dull.pixels.size(); ++i) dull.pixels[i] += film.planes.indirect.pixels[i];
+    Plane3 dull(width, height);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x)
+            dull.set(x, y, film.planes.direct.get(x, y) + film.planes.indirect.get(x, y));
+    }
     const gh::filter::BilateralSettings settings{.sigma_px = kSigma, .luminance = 0.0f};
     Plane3 light = mended(dull, jobs), smooth_dull, smooth_shine;
     gh::filter::demodulate(light, surfaces.albedo, jobs, light);
@@ -108,7 +108,7 @@ void by_surfaces(Film& film, const Jobs& jobs) {
             light.set(x, y, smooth_dull.get(x, y) * albedo + smooth_shine.get(x, y));
         }
     }
-    join(light, film.planes.clean, film);
+    join(light, image_of(film.planes.clean), film);
 }
 
 }  // namespace

@@ -64,8 +64,12 @@ std::vector<bool> moving_pixels(const Walk& walk, std::size_t moment) {
     gh::render::Film film(walk.width, walk.height);
     render_path(walk.scene(moment), walk.view.camera, settings, 0, walk.jobs, film);
     std::vector<bool> moves;
-    for (std::size_t i = 0; i < film.planes.part.size(); ++i)
-        moves.push_back(glm::distance(film.planes.position[i], film.planes.previous[i]) > kMoves);
+    for (int y = 0; y < walk.height; ++y) {
+        for (int x = 0; x < walk.width; ++x) {
+            const glm::vec3 now = film.planes.position.get(x, y), then = film.planes.previous.get(x, y);
+            moves.push_back(glm::distance(now, then) > kMoves);
+        }
+    }
     return moves;
 }
 
