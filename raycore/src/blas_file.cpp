@@ -112,6 +112,15 @@ bool is_built_from(const Blas::Data& blas, const MeshView& mesh) {
     return true;
 }
 
+// A refit may have flattened a triangle of the tree, or mended one that was dropped: loading would refuse either.
+bool still_keeps_what_it_kept(const Blas::Data& blas, const MeshView& mesh) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const bool is_kept = blas.leaf_of_primitive[i] != kNone;
+        if (is_kept != (fault_of(mesh.positions, mesh.triangles[i]) == TriangleFault::None)) return false;
+    }
+    return true;
+}
+
 // A tree read from bytes that may hold anything: nothing is looked up before it is known to be there.
 class TreeCheck {
   public:
@@ -206,7 +215,7 @@ std::vector<std::byte> save_blas(const Blas& blas, const MeshView& mesh) {
     const Blas::Data& data = blas.data();
     const bool fits = is_built_from(data, mesh);
     RC_EXPECTS(fits, "save_blas with the mesh the tree was built from");
-    if (!fits) return {};
+    if (!fits || !still_keeps_what_it_kept(data, mesh)) return {};
     const PlainTree tree = plain_tree_of(data);
     Header header{};
     std::memcpy(header.magic, kMagic, sizeof(kMagic));

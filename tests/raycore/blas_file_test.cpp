@@ -57,6 +57,32 @@ TEST_P(BlasFile, SmallAndEmptyMeshesAreSavedAsWell) {
     }
 }
 
+// What save_blas hands out can be loaded: a refitted tree too, and one that no longer fits its mesh is not handed out.
+TEST_P(BlasFile, ARefittedTreeIsSavedUnlessItsTrianglesHaveTurnedBadOrGood) {
+    const Mesh built = make_mesh();
+    const rc::BuildOptions options{GetParam(), true};
+    const auto is_saved = [&](const Mesh& mesh) {
+        const auto blas = rc::build_blas(built.view(), options);
+        EXPECT_TRUE(rc::refit_blas(*blas, mesh.positions));
+        const std::vector<std::byte> bytes = rc::save_blas(*blas, mesh.view());
+        const rc::LoadedBlas loaded = rc::load_blas(bytes, mesh.view());
+        EXPECT_EQ(loaded.blas != nullptr, !bytes.empty()) << loaded.refusal;
+        return !bytes.empty();
+    };
+    Mesh moved = built;
+    for (glm::vec3& p : moved.positions) p.y *= 1.5f;
+    EXPECT_TRUE(is_saved(moved));
+
+    Mesh bad = moved, flat = moved, mended = moved;
+    const glm::uvec3& last = built.triangles.back();
+    bad.positions[last.x].z = std::numeric_limits<float>::quiet_NaN();
+    flat.positions[last.x] = flat.positions[last.y];
+    mended.positions.front().x = 0.0f;
+    EXPECT_FALSE(is_saved(bad));
+    EXPECT_FALSE(is_saved(flat));
+    EXPECT_FALSE(is_saved(mended));
+}
+
 INSTANTIATE_TEST_SUITE_P(EveryQuality, BlasFile,
                          ::testing::Values(rc::BuildQuality::Fast, rc::BuildQuality::Default,
                                            rc::BuildQuality::High));

@@ -20,7 +20,8 @@
 
 namespace rc {
 
-// Empty, and a contract violation, when `mesh` is not what `blas` was built from (or refitted to).
+// Empty, and a contract violation, when `mesh` is not what `blas` was built from (or refitted to). Empty as well when a
+// refit has made a triangle bad that was built in, or one good that was dropped: only a new build fits such a mesh.
 [[nodiscard]] std::vector<std::byte> save_blas(const Blas& blas, const MeshView& mesh);
 
 struct LoadedBlas {
