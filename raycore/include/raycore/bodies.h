@@ -54,7 +54,7 @@ struct CapsuleCast {
     float radius = 0.0f;
     glm::vec3 displacement{0.0f};
 };
-// hits[i].instance == kNone marks a cast that meets nothing.
+// hits[i].instance == kNone marks a cast that meets nothing; its t is 0 and says nothing. Spans of equal length.
 void sphere_casts(const Scene& scene, std::span<const SphereCast> casts, LayerMask layers,
                   std::span<CastHit> hits);
 void capsule_casts(const Scene& scene, std::span<const CapsuleCast> casts, LayerMask layers,

@@ -27,7 +27,7 @@ namespace rc {
 [[nodiscard]] bool any_hit(const Scene& scene, const Ray& ray, LayerMask layers);
 
 // Every surface between two points, nearest first (ties as above), at most `out.size()` of them; returns how
-// many were written. Sound asks this: each wall crossed takes its share.
+// many were written. Sound asks this: each wall crossed takes its share. Two points at one place are a bad ray.
 [[nodiscard]] std::size_t crossings(const Scene& scene, const glm::vec3& from, const glm::vec3& to,
                                     LayerMask layers, std::span<Hit> out);
 
@@ -37,8 +37,8 @@ namespace rc {
 [[nodiscard]] std::size_t crossings_after(const Scene& scene, const glm::vec3& from, const glm::vec3& to,
                                           LayerMask layers, const Hit& last, std::span<Hit> out);
 
-// Batches: item i is answered exactly as the single query would. Spans of equal length; misses have
-// t == kInfinity. `counters`, when given, is added to.
+// Batches: item i is answered exactly as the single query would. Spans of equal length (a
+// contract violation otherwise, and unchecked in release); misses have t == kInfinity. `counters`, when given, is added to.
 void closest_hits(const Scene& scene, std::span<const Ray> rays, LayerMask layers, std::span<Hit> hits,
                   Counters* counters = nullptr);
 void any_hits(const Scene& scene, std::span<const Ray> rays, LayerMask layers, std::span<std::uint8_t> is_hit,

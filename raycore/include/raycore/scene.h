@@ -40,13 +40,14 @@ class Scene {
     [[nodiscard]] std::size_t instance_count() const;
     [[nodiscard]] std::size_t dropped_instances() const;
     [[nodiscard]] const Instance& instance(std::uint32_t id) const;
-    [[nodiscard]] Box bounds() const;  // world frame; min > max when nothing can be met
+    [[nodiscard]] Box bounds() const;  // world frame, of what can be met, padded; min > max when nothing can
     [[nodiscard]] const Data& data() const { return *data_; }
 
     // Corners of a triangle in its instance's own frame, as given to the builder (or to the last refit).
     [[nodiscard]] std::array<glm::vec3, 3> triangle(std::uint32_t instance, std::uint32_t primitive) const;
 
-    // Where a hit of this scene lies, in the world frame. Precondition: not a miss.
+    // Where a hit of this scene lies, in the world frame. Precondition: not a miss. A mirroring transform turns the order
+    // of the corners, and with it the normal: outwards becomes inwards.
     [[nodiscard]] SurfacePoint surface(const Hit& hit) const;
 
   private:
