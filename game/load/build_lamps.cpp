@@ -24,7 +24,7 @@ int light_of(const tinygltf::Node& node) {
 
 Result<world::Lamp> punctual_lamp(const LevelBuild& build, std::uint32_t id, int light_id) {
     if (light_id < 0 || static_cast<std::size_t>(light_id) >= build.model.lights.size()) {
-        return at_node(build, id, fmt::format("light {} does not exist", light_id));
+        return Error{fmt::format("light {} does not exist", light_id)};
     }
     const tinygltf::Light& light = build.model.lights[static_cast<std::size_t>(light_id)];
     world::Lamp lamp;

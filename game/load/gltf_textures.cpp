@@ -66,7 +66,7 @@ Result<world::Texture> TextureSet::decode(std::size_t image_id) const {
         if (!view) return refuse("cannot be read: " + view.error().sentence);
         bytes = *view;
     }
-    if (bytes.empty()) return refuse(fmt::format("({}) is missing or empty", image.uri));
+    if (bytes.empty()) return refuse("is missing or empty");
     Result<Pixels> pixels = decode_image(bytes, kMaxTextureBytes - bytes_);
     if (!pixels) return refuse(pixels.error().sentence);
     world::Texture texture;

@@ -30,6 +30,11 @@ std::string format_of(Bytes bytes) {
     return {};
 }
 
+// The first line of what a decoder complains of: a refusal is one sentence.
+Error damaged(const std::string& complaint) {
+    return Error{"is damaged: " + complaint.substr(0, complaint.find('\n'))};
+}
+
 // 1: grey, 2: grey and alpha, 3: RGB, 4: RGBA.
 std::vector<std::uint8_t> to_rgba(const std::vector<std::uint8_t>& from, std::size_t channels) {
     const std::size_t count = from.size() / channels;
@@ -58,7 +63,7 @@ Result<Pixels> read_pixels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec,
     const auto channels = static_cast<std::size_t>(spec.nchannels);
     std::vector<std::uint8_t> raw(count * channels);
     if (!input.read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, raw.data())) {
-        return Error{"is damaged: " + input.geterror()};
+        return damaged(input.geterror());
     }
     return Pixels{spec.width, spec.height, channels == 4 ? std::move(raw) : to_rgba(raw, channels)};
 }
@@ -69,8 +74,7 @@ Result<Pixels> decode_image(Bytes bytes, std::size_t max_bytes) {
     const std::string format = format_of(bytes);
     if (format.empty()) return Error{"is neither PNG nor JPEG"};
     if (format == "png") {
-        if (const std::optional<std::string> damage = find_png_damage(bytes))
-            return Error{"is damaged: " + *damage};
+        if (const std::optional<std::string> damage = find_png_damage(bytes)) return damaged(*damage);
     }
     try {
         OIIO::Filesystem::IOMemReader reader(const_cast<unsigned char*>(bytes.data()), bytes.size());
@@ -80,11 +84,11 @@ Result<Pixels> decode_image(Bytes bytes, std::size_t max_bytes) {
         config.attribute("oiio:UnassociatedAlpha", 1);  // glTF's alpha is straight; keep colours as they are
         OIIO::ImageSpec spec;
         if (!input->set_ioproxy(&reader) || !input->open("texture." + format, spec, config)) {
-            return Error{"is damaged: " + input->geterror()};
+            return damaged(input->geterror());
         }
         return read_pixels(*input, spec, max_bytes);
     } catch (const std::exception& exception) {
-        return Error{fmt::format("is damaged: {}", exception.what())};
+        return damaged(exception.what());
     }
 }
 

@@ -67,6 +67,7 @@ struct LevelBuild {
 
 // In this order, each over all nodes.
 [[nodiscard]] Result<void> find_kinds(LevelBuild& build);     // facts: kind, model membership, movers
+[[nodiscard]] Result<void> find_unread(LevelBuild& build);    // properties that nothing has: remarks
 [[nodiscard]] Result<void> build_movers(LevelBuild& build);   // doors, mirrors and lenses: where they turn
 [[nodiscard]] Result<void> build_parts(LevelBuild& build);    // what is drawn
 [[nodiscard]] Result<void> finish_movers(LevelBuild& build);  // handles, panes, centres: they need the parts

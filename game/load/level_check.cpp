@@ -97,8 +97,9 @@ void check_triangles(const world::Level& level, LevelReport& report) {
     for (const world::Mesh& mesh : level.meshes) {
         const rc::MeshReport dropped = rc::check_mesh({mesh.positions, mesh.triangles});
         if (dropped.dropped() == 0) continue;
-        report.warnings.push_back(fmt::format("mesh '{}' has {} triangles without area, which nothing meets",
-                                              mesh.name, dropped.dropped()));
+        report.warnings.push_back(fmt::format("mesh '{}' has {} triangle{} without area, which nothing meets",
+                                              mesh.name, dropped.dropped(),
+                                              dropped.dropped() == 1 ? "" : "s"));
     }
 }
 
@@ -114,7 +115,7 @@ void check_rules(const world::Level& level, LevelReport& report) {
 }  // namespace
 
 LevelReport check_level(const world::Level& level) {
-    LevelReport report;
+    LevelReport report{.errors = {}, .warnings = level.remarks};
     check_rules(level, report);
     check_shells(level, report);
     if (!level.navmesh.empty()) {

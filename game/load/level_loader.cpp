@@ -71,8 +71,8 @@ Result<world::Level> build_level(const tinygltf::Model& model) {
     Result<NodeTree> tree = read_nodes(model);
     if (!tree) return tree.error();
     LevelBuild build{model, *materials, std::move(*tree), MeshSet(model, *materials), {}, {}};
-    for (const auto step : {&find_kinds, &build_movers, &build_parts, &finish_movers, &build_places,
-                            &build_lamps, &build_guards, &build_stones}) {
+    for (const auto step : {&find_kinds, &find_unread, &build_movers, &build_parts, &finish_movers,
+                            &build_places, &build_lamps, &build_guards, &build_stones}) {
         if (const Result<void> built = step(build); !built) return built.error();
     }
     build.level.origin = build.tree.origin;

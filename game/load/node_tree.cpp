@@ -53,6 +53,14 @@ struct Visit {
     int depth;
 };
 
+// glTF's own reader passes over numbers that are too few or too many, and the node would stand somewhere else.
+bool is_whole(const tinygltf::Node& node) {
+    const auto has = [](const std::vector<double>& numbers, std::size_t count) {
+        return numbers.empty() || numbers.size() == count;
+    };
+    return has(node.matrix, 16) && has(node.translation, 3) && has(node.rotation, 4) && has(node.scale, 3);
+}
+
 Error out_of_range(const std::string& name) {
     return Error{name + ": its transform is not finite, not affine, or out of range"};
 }
@@ -67,6 +75,7 @@ Result<void> visit(const tinygltf::Model& model, const Visit& at, std::vector<bo
     if (is_seen[id]) return Error{name + " hangs on two nodes, or on itself"};
     if (at.depth > kMaxNodeDepth)
         return Error{fmt::format("{} lies more than {} nodes deep", name, kMaxNodeDepth)};
+    if (!is_whole(model.nodes[id])) return Error{name + ": its transform has too few or too many numbers"};
     is_seen[id] = true;
     glm::dmat4 matrix = local_matrix(model.nodes[id]);
     if (at.parent != world::kNoIndex) matrix = tree.world_from_node[at.parent] * matrix;

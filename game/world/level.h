@@ -234,6 +234,7 @@ struct Level {
     std::uint32_t stone_part_begin = 0;  // kMaxStones parts from here are the stones, in order
     float stone_radius = 0.035f;
     Aabb bounds;
+    std::vector<std::string> remarks;  // what was odd in the file: load/level_check says it as warnings
     glm::dvec3 origin{0.0};  // of the world, in the file it came from: not 0 where that stands far from its own
     std::vector<std::byte> navmesh;  // Detour's tile; empty: guards stand still
 };

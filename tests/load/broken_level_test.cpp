@@ -76,16 +76,29 @@ TEST(BrokenLevel, RefusesNodesThatHangOnThemselves) {
     EXPECT_EQ(refusal(test::as_bytes(loop)), "tiny.glb: node 'a' hangs on two nodes, or on itself");
 }
 
+TEST(BrokenLevel, NamesANodeWhoseTransformIsNotWhole) {
+    for (const char* transform : {R"("matrix":[1,0,0])", R"("translation":[1,2])", R"("scale":[1])"}) {
+        const std::string node =
+            R"({"asset":{"version":"2.0"},"nodes":[{"name":"a",)" + std::string(transform) + "}]}";
+        EXPECT_EQ(refusal(test::as_bytes(node)),
+                  "tiny.glb: node 'a': its transform has too few or too many numbers");
+    }
+}
+
 TEST(BrokenLevel, NamesAPictureThatIsMissingOrDamaged) {
     EXPECT_THAT(refusal(with(tiny_level_glb(), "PNG\r\n", "GNP\r\n")),
                 HasSubstr("image 'plain' is neither PNG nor JPEG"));
     EXPECT_THAT(refusal(with(tiny_level_glb(), "IHDR", "IHDX")),
                 HasSubstr("image 'plain' is damaged: a check sum is wrong"));
+    // A JPEG cut off behind its first marker: its decoder has two lines to say of that.
+    Bytes cut = with(tiny_level_glb(), "\x89PNG", "\xFF\xD8\xFF\xE0");
+    EXPECT_THAT(refusal(cut), HasSubstr("image 'plain' is damaged: "));
+    EXPECT_THAT(refusal(cut), ::testing::Not(HasSubstr("\n")));
     const std::string missing =
         R"({"asset":{"version":"2.0"},"images":[{"uri":"gone.png"}],"textures":[{"source":0}],)"
         R"("materials":[{"name":"wood","pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}]})";
     EXPECT_EQ(refusal(test::as_bytes(missing)),
-              "tiny.glb: material 'wood': image 'gone.png' (gone.png) is missing or empty");
+              "tiny.glb: material 'wood': image 'gone.png' is missing or empty");
 }
 
 TEST(BrokenLevel, ReadsNothingOutsideItsOwnFolder) {

@@ -7,6 +7,7 @@
 #include "world/layers.h"
 
 #include <glm/geometric.hpp>
+#include <gmock/gmock.h>
 
 namespace gh {
 namespace {
@@ -144,6 +145,16 @@ TEST_F(TinyLevel, IsFoundInOrder) {
     const load::LevelReport report = load::check_level(level);
     EXPECT_TRUE(report.errors.empty()) << report.errors.front();
     EXPECT_TRUE(report.warnings.empty()) << report.warnings.front();
+}
+
+// Misspelt, it would leave its default standing and say nothing.
+TEST_F(TinyLevel, IsWarnedOfAPropertyThatNobodyReads) {
+    const Result<world::Level> mistyped =
+        test::load_quickly(test::with(test::tiny_level_glb(), "\"wait_s\"", "\"wait_z\""));
+    ASSERT_TRUE(mistyped) << mistyped.error().sentence;
+    EXPECT_THAT(
+        load::check_level(*mistyped).warnings,
+        ::testing::ElementsAre("node 'p1': the property 'wait_z' is none of a patrol, and nobody reads it"));
 }
 
 }  // namespace
