@@ -4,6 +4,7 @@
 #include "present/menu.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <charconv>
 #include <iostream>
@@ -25,6 +26,18 @@ std::optional<Size> size_from(const std::string& text) {
     const bool fits =
         1 <= size.width && size.width <= kMaxSide && 1 <= size.height && size.height <= kMaxSide;
     return fits ? std::optional(size) : std::nullopt;
+}
+
+// CLI::Range takes NaN for a number of any range.
+CLI::Validator between(double least, double most) {
+    const std::string range = fmt::format("{} to {}", least, most);
+    return {[least, most, range](std::string& text) {
+                double number = 0.0;
+                const bool fits =
+                    CLI::detail::lexical_cast(text, number) && least <= number && number <= most;
+                return fits ? std::string() : fmt::format("'{}' is not a number from {}", text, range);
+            },
+            "from " + range};
 }
 
 void add_size(CLI::App& command, Size& size) {
@@ -84,13 +97,13 @@ void add_renderer(CLI::App& command, RendererOptions& o) {
     command
         .add_option("--clamp", o.clamp,
                     "path: most that a bounce may bring at once, in multiples of white; 0: whatever it does")
-        ->check(CLI::NonNegativeNumber)
+        ->check(between(0.0, 1e9))
         ->capture_default_str()
         ->type_name("X");
     command
         .add_option("--roughen", o.least_indirect_roughness,
                     "path: least roughness of gloss that scattered light meets; 0: its own")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(between(0.0, 1.0))
         ->capture_default_str()
         ->type_name("X");
     command.add_flag("--unbiased", o.is_unbiased,
@@ -101,14 +114,15 @@ void add_renderer(CLI::App& command, RendererOptions& o) {
     command.add_option("--filter", o.filter, "cook, path: how samples make a pixel: box, tent, gaussian")
         ->check(CLI::IsMember({"box", "tent", "gaussian"}));
     command.add_option("--aperture", o.aperture, "cook, path: radius of the lens in metres; 0: all is sharp")
-        ->check(CLI::Range(0.0, 10.0))
+        ->check(between(0.0, 10.0))
         ->type_name("M");
     command.add_option("--focus", o.focus, "cook, path: metres to what is sharp")
-        ->check(CLI::Range(1e-3, 1e6))
+        ->check(between(1e-3, 1e6))
         ->capture_default_str()
         ->type_name("M");
-    command.add_flag("!--unbent", o.bends_light,
-                     "path: lamps shine straight through clear glass, and nothing focuses them");
+    command.add_flag_callback(
+        "--unbent", [&o] { o.bends_light = false; },
+        "path: lamps shine straight through clear glass, and nothing focuses them");
 }
 
 void add_replay(CLI::App& replay, ReplayOptions& o) {
@@ -130,7 +144,7 @@ void add_replay(CLI::App& replay, ReplayOptions& o) {
     replay
         .add_option("--shutter", o.renderer.shutter,
                     "cook, path: how long it is open, in pictures: what the eye's own motion blurs")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(between(0.0, 1.0))
         ->type_name("X");
     replay.add_flag("--exr", o.writes_exr, "write pictures as EXR, linear and unexposed, instead of PNG");
     replay.add_option("--audio", o.audio, "write the sound to this file")->type_name("FILE.wav");
@@ -149,7 +163,7 @@ void add_render(CLI::App& render, RenderOptions& o) {
         ->capture_default_str()
         ->type_name("N");
     render.add_flag("--adaptive", o.is_adaptive,
-                    "work out light for fewer pixels where it changes little, as the window does");
+                    "whitted: work out light for fewer pixels where it changes little, as the window does");
     add_size(render, o.size);
     add_machine(render, o.machine);
 }

@@ -79,6 +79,10 @@ def bad_usage():
     refuses("render", "foyer", "-o", "picture.png", "--renderer", "magic", naming="magic")
     refuses("render", "foyer", "-o", "picture.png", "--threads", "-1", naming="--threads")
     refuses("render", "foyer", "-o", "/proc/no/picture.png", "--size", "8x8", "--spp", "1", naming="/proc/no/picture.png")
+    for option in ("--clamp", "--roughen", "--aperture", "--focus"):
+        for number in ("nan", "-1", "inf", "much"):
+            refuses("render", "foyer", "-o", "picture.png", option, number, naming=f"{option}: '{number}'")
+    refuses("replay", "missing.rec", "--shutter", "nan", naming="--shutter: 'nan'")
     refuses("replay", "missing.rec", naming="missing.rec")
     refuses("inspect", "missing.glb", naming="missing.glb")
     refuses("inspect", "missing.rec", naming="missing.rec")
