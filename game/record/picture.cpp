@@ -1,12 +1,14 @@
 #include "record/picture.h"
 
-#include "record/unfinished_file.h"
+#include "base/file.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <cstdint>
 #include <exception>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,23 +16,23 @@ namespace gh::record {
 
 namespace {
 
+// Into memory, and from there to the disk: the PNG writer does not notice when that is full, base/file does.
 Result<void> write_picture(const std::filesystem::path& path, const OIIO::ImageSpec& spec,
                            const void* pixels) {
-    Result<UnfinishedFile> file = UnfinishedFile::beside(path);
-    if (!file) return file.error();
     const auto failed = [&](const std::string& reason) {
         return Error{fmt::format("{}: can not be written: {}", path.string(), reason)};
     };
     try {
-        const auto out = OIIO::ImageOutput::create(file->path().string());
+        OIIO::Filesystem::IOVecOutput memory;
+        const auto out = OIIO::ImageOutput::create(path.string(), &memory);
         if (out == nullptr) return failed(OIIO::geterror());
-        if (!out->open(file->path().string(), spec)) return failed(out->geterror());
+        if (!out->open(path.string(), spec)) return failed(out->geterror());
         if (!out->write_image(spec.format, pixels)) return failed(out->geterror());
         if (!out->close()) return failed(out->geterror());
+        return write_file_atomically(path, std::as_bytes(std::span(memory.buffer())));
     } catch (const std::exception& exception) {
         return failed(exception.what());
     }
-    return file->finish();
 }
 
 Result<void> refuse_empty(const std::filesystem::path& path, int width, int height) {

@@ -5,9 +5,11 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <sndfile.h>
+#include <sys/resource.h>
 
 #include <array>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -68,6 +70,33 @@ TEST_F(Record, AnExrHoldsEveryBitOfEveryFloat) {
     std::vector<glm::vec3> pixels(picture.pixels.size());
     ASSERT_TRUE(in->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, pixels.data()));
     EXPECT_EQ(pixels, picture.pixels);
+}
+
+// A limit on files' sizes stands for a full disk. A film of broken pictures must not pass for a whole one.
+TEST_F(Record, APictureThatDoesNotFitOnTheDiskIsRefusedAndLeavesNothing) {
+    Image8 noise(64, 64);
+    Image light(64, 64);
+    std::uint32_t state = 1;
+    for (std::uint8_t& byte : noise.bytes)
+        byte = static_cast<std::uint8_t>((state = state * 747796405u + 1u) >> 24);
+    for (std::size_t i = 0; i < light.pixels.size(); ++i) light.pixels[i] = glm::vec3(noise.bytes[i]);
+
+    rlimit usual{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &usual), 0);
+    const rlimit small{.rlim_cur = 1000, .rlim_max = usual.rlim_max};
+    const auto before =
+        std::signal(SIGXFSZ, SIG_IGN);  // then writing too much is an error, as on a full disk
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    const Result<void> png = record::write_png(folder_ / "a.png", noise);
+    const Result<void> exr = record::write_exr(folder_ / "a.exr", light);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &usual), 0);
+    std::signal(SIGXFSZ, before);
+
+    ASSERT_FALSE(png);
+    EXPECT_NE(png.error().sentence.find("a.png"), std::string::npos) << png.error().sentence;
+    ASSERT_FALSE(exr);
+    EXPECT_NE(exr.error().sentence.find("a.exr"), std::string::npos) << exr.error().sentence;
+    EXPECT_TRUE(names().empty());
 }
 
 TEST_F(Record, OnlyWholeFilesHaveNames) {
