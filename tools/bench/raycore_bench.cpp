@@ -41,12 +41,12 @@ Options read_options(int argc, char** argv) {
         ->delimiter(',')
         ->expected(6);
     app.add_option("--rounds", options.rounds, "rounds of each race; medians are over them")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, 1'000'000'000));
     app.add_option("--keep", options.keep, "every how many-th 8x8 tile of 1280x720 is asked")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, 1'000'000'000));
     app.add_option("--threads", options.threads, "threads of the second rows; 1: none")
-        ->check(CLI::PositiveNumber);
-    app.add_option("--batch", options.batch, "rays a batch")->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, 1'000'000'000));
+    app.add_option("--batch", options.batch, "rays a batch")->check(CLI::Range(1, 1'000'000'000));
     app.add_option("--isa", options.isa, "scalar, avx2 or avx512");
     app.add_option("--json", options.json, "write every figure to this file as well");
     app.add_flag("--no-embree", options.no_embree, "raycore alone");
@@ -56,7 +56,7 @@ Options read_options(int argc, char** argv) {
     app.add_flag("--speed-error", options.speed_error, "only the table of speed against error");
     app.add_flag("--sah", options.sah, "only how good the trees of the scenes are, beside those of Embree's builders");
     app.add_option("--rays", options.rays, "of the largest hard case; 50000000 asks 150 million in all")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, 1'000'000'000));
     app.add_flag("--quick", options.is_quick, "under a minute: fewer rays, rounds and scenes");
     try {
         app.parse(argc, argv);
@@ -129,6 +129,8 @@ int bench_all(int argc, char** argv) {
         if (!options.is_quick) options.scenes.insert(options.scenes.begin() + 3, {"landscape", "stadium"});
     }
     bench::Report report;
+    // Whether it can be written is known before the first race, not after the last.
+    if (!options.json.empty() && !report.write_json(options.json)) return 2;
     report.fact("instructions", std::string(rc::isa_name(rc::active_isa())));
     if (!run(report, options)) return 2;
     const bench::ErrorOptions errors{options.is_quick ? 100'000 : options.rays, options.rounds,

@@ -188,7 +188,11 @@ int main(int argc, char** argv) {
         app.add_option("--out", options.out, "folder of the recordings");
         app.add_flag("--story", options.story_only, "do not search for another way when the written one breaks off");
         app.add_option("--seed", options.seed, "of the simulation");
-        CLI11_PARSE(app, argc, argv);
+        try {
+            app.parse(argc, argv);
+        } catch (const CLI::ParseError& error) {
+            return app.exit(error) == 0 ? 0 : 2;
+        }
         return record_both(options);
     } catch (const std::exception& error) {
         return complain(error.what());

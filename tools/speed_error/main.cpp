@@ -242,7 +242,11 @@ int main(int argc, char** argv) {
         CLI::App app("Renders views in every way and says how wrong each is for what it costs.",
                      "speed_error");
         add_options(app, options);
-        CLI11_PARSE(app, argc, argv);
+        try {
+            app.parse(argc, argv);
+        } catch (const CLI::ParseError& error) {
+            return app.exit(error) == 0 ? 0 : 2;
+        }
         if (options.is_quick) make_quick(options);
         return judge_all(options);
     } catch (const std::exception& error) {
