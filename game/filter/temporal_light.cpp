@@ -17,8 +17,7 @@ constexpr float kMovingCount =
 constexpr float kLeastCount = 0.02f;  // what a sample counts that is far away,
 constexpr float kMovingLeast = 0.5f;  // or this where things move: what is mirrored slides along,
 constexpr float kFirstCount = 0.2f;   // or this where little is kept
-constexpr float kBeyond = 0.5f;      // of the range of samples around, further than which nothing is believed
-constexpr float kSameFacing = 0.8f;  // least cosine between the normals of one surface
+constexpr float kBeyond = 0.5f;  // of the range of samples around, further than which nothing is believed
 
 // Which show one surface, that goes on between them; it leaves its own plane by less than `reach`.
 static HWY_INLINE Lanes are_one(const Seen& a, const Seen& b, Floats reach) {
@@ -130,7 +129,7 @@ static HWY_INLINE void spread_vector(const SpreadRow& row, std::size_t x) {
                     load3(row.position, x, width)};
     const Motion motion = motion_of(row, x, here);
     const Fresh fresh = fresh_light(row, x, here, motion.distance);
-    Kept kept = kept_light(row, x, motion, here.part);
+    Kept kept = kept_light(row, x, motion, here);
     believe(fresh, kept);
 
     const Floats zero = hn::Zero(F()), one = splat(1.0f);
@@ -148,6 +147,7 @@ static HWY_INLINE void spread_vector(const SpreadRow& row, std::size_t x) {
     store(hn::Min(total, longest), row.count + x);
     store(motion.distance, row.distance + x);
     hn::StoreU(here.part, I(), reinterpret_cast<std::int32_t*>(row.kept_part) + x);
+    hn::StoreU(packed_facing(here.normal), I(), reinterpret_cast<std::int32_t*>(row.kept_facing) + x);
     store(motion.x, row.motion[0] + x);
     store(motion.y, row.motion[1] + x);
     const Lanes stays = hn::Or(equal(here.part, hn::Set(I(), kSky)),

@@ -35,9 +35,9 @@ void find_range(const RangeRow& row);
 // What is kept of every pixel's light, each plane at pixel (0, 0).
 struct KeptPlanes {
     const float* light[3];
-    const float* count;     // of the samples in its mean; 0: none yet
-    const float* distance;  // from the eye
-    const std::uint32_t* part;
+    const float* count;                  // of the samples in its mean; 0: none yet
+    const float* distance;               // from the eye
+    const std::uint32_t *part, *facing;  // the latter as packed_facing() has it
     std::ptrdiff_t stride;
 };
 
@@ -63,7 +63,7 @@ struct SpreadRow {
     KeptPlanes then;
     float* light[3];  // of the row: what is kept next
     float *count, *distance;
-    std::uint32_t* kept_part;
+    std::uint32_t *kept_part, *kept_facing;
     float* motion[2];   // in pixels, to where the surface was
     float* moves;       // 1 where it moved by itself, else 0
     float* lighted[3];  // this frame's picture

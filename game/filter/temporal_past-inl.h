@@ -16,6 +16,11 @@ namespace gh::filter::HWY_NAMESPACE {
 
 constexpr float kSameDistance = 0.03f;  // of a distance from the eye
 constexpr float kLeastWeight = 1e-3f;   // of a tap
+constexpr float kSameFacing = 0.8f;     // least cosine between the normals of one surface
+// What a tap of the same part counts that faces elsewhere: nine of them less than the least that does not. Where there are no
+// others they are better than nothing, until a sample comes: their mean is worth a tenth of its samples.
+constexpr float kOtherFacing = 0.1f * kLeastWeight;
+constexpr float kOtherCount = 0.1f;
 constexpr float kNowhere = -1e6f;
 // Of a pixel. Rounding noise about a whole pixel would else blur a little.
 constexpr float kPlaceSteps = 256.0f;
@@ -39,6 +44,28 @@ struct Motion {
     Floats x, y;  // pixels
     Floats distance, was_distance;
 };
+
+// A unit vector's components in a byte each, to a half in a hundred and twenty-seven.
+constexpr float kFacingSteps = 127.0f;
+constexpr std::int32_t kFacingMiddle = 128;
+
+static HWY_INLINE Ints packed_facing(const Vector& normal) {
+    const auto byte = [](Floats component) {
+        return hn::Add(hn::NearestInt(hn::Mul(component, splat(kFacingSteps))), hn::Set(I(), kFacingMiddle));
+    };
+    return hn::Or(byte(normal.x),
+                  hn::Or(hn::ShiftLeft<8>(byte(normal.y)), hn::ShiftLeft<16>(byte(normal.z))));
+}
+
+static HWY_INLINE Lanes faces(Ints packed, const Vector& normal) {
+    const auto component = [](Ints bits) {
+        const Ints byte = hn::And(bits, hn::Set(I(), 255));
+        return hn::ConvertTo(F(), hn::Sub(byte, hn::Set(I(), kFacingMiddle)));
+    };
+    const Vector then{component(packed), component(hn::ShiftRight<8>(packed)),
+                      component(hn::ShiftRight<16>(packed))};
+    return hn::Ge(dot(then, normal), splat(kSameFacing * kFacingSteps));
+}
 
 static HWY_INLINE Floats to_steps(Floats place) {
     const Floats steps = hn::Floor(hn::Add(hn::Mul(place, splat(kPlaceSteps)), splat(0.5f)));
@@ -83,7 +110,7 @@ struct Kept {
 // What is asked of a tap, and what the taps sum up to.
 struct Taps {
     const SpreadRow& row;
-    Ints part;
+    const Seen& here;
     Floats was_distance;
     Kept sum;
     Floats total;
@@ -93,9 +120,12 @@ struct Taps {
         const Floats count = read_tap(then.count, place, step);
         const Floats off = hn::Abs(hn::Sub(read_tap(then.distance, place, step), was_distance));
         const Lanes is_same = both(
-            equal(read_tap(then.part, place, step), part),
+            equal(read_tap(then.part, place, step), here.part),
             both(hn::Gt(count, hn::Zero(F())), hn::Le(off, hn::Mul(was_distance, splat(kSameDistance)))));
-        const Floats share = zero_unless(both(lanes, is_same), weight);
+        const Lanes is_one = hn::Or(equal(here.part, hn::Set(I(), kSky)),
+                                    faces(read_tap(then.facing, place, step), here.normal));
+        const Floats counted = choose(is_one, weight, hn::Mul(weight, splat(kOtherFacing)));
+        const Floats share = zero_unless(both(lanes, is_same), counted);
         const Vector light{read_tap(then.light[0], place, step), read_tap(then.light[1], place, step),
                            read_tap(then.light[2], place, step)};
         sum.light = plus(sum.light, scaled(light, share));
@@ -123,7 +153,8 @@ static HWY_NOINLINE void look_around(Taps& taps, Floats at_x, Floats at_y, Lanes
     }
 }
 
-static HWY_INLINE Kept kept_light(const SpreadRow& row, std::size_t x, const Motion& motion, Ints part) {
+static HWY_INLINE Kept kept_light(const SpreadRow& row, std::size_t x, const Motion& motion,
+                                  const Seen& here) {
     const Floats zero = hn::Zero(F()), one = splat(1.0f);
     const Vector nothing{zero, zero, zero};
     const Floats number = hn::ConvertTo(F(), pixel_numbers(static_cast<std::ptrdiff_t>(x)));
@@ -142,8 +173,8 @@ static HWY_INLINE Kept kept_light(const SpreadRow& row, std::size_t x, const Mot
     const KeptPlanes& then = row.then;
     for (const float* plane : {then.light[0], then.light[1], then.light[2], then.count, then.distance})
         foresee_tap(plane, place, 2 * then.stride);
-    foresee_tap(then.part, place, 2 * then.stride);
-    Taps taps{row, part, motion.was_distance, {nothing, zero}, zero};
+    for (const std::uint32_t* plane : {then.part, then.facing}) foresee_tap(plane, place, 2 * then.stride);
+    Taps taps{row, here, motion.was_distance, {nothing, zero}, zero};
     for (int corner = 0; corner < 4; ++corner) {
         const int right = corner % 2, below = corner / 2;
         const Floats weight = hn::Mul(right != 0 ? share_x : hn::Sub(one, share_x),
@@ -154,10 +185,11 @@ static HWY_INLINE Kept kept_light(const SpreadRow& row, std::size_t x, const Mot
         if (hn::AllFalse(F(), matter)) continue;
         taps.add(place, below * then.stride + right, matter, weight);
     }
-    const Lanes none = hn::AndNot(hn::Gt(taps.total, zero), lanes);
+    const Lanes none = hn::AndNot(hn::Gt(taps.total, splat(kLeastWeight)), lanes);
     if (!hn::AllFalse(F(), none)) look_around(taps, at_x, at_y, none);
     const Floats scale = choose(hn::Gt(taps.total, zero), hn::Div(one, taps.total), zero);
-    return {scaled(taps.sum.light, scale), hn::Mul(taps.sum.count, scale)};
+    const Floats trust = choose(hn::Gt(taps.total, splat(kLeastWeight)), one, splat(kOtherCount));
+    return {scaled(taps.sum.light, scale), hn::Mul(hn::Mul(taps.sum.count, scale), trust)};
 }
 
 }  // namespace gh::filter::HWY_NAMESPACE

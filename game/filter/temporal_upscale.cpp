@@ -119,11 +119,13 @@ void TemporalUpscaler::spread_row(const GuidedFrame& frame, int y) {
     row.then.count = kept_.count.row(0);
     row.then.distance = kept_.distance.row(0);
     row.then.part = kept_.part.row(0);
+    row.then.facing = kept_.facing.row(0);
     row.then.stride = kept_.part.stride();
     point_to(row.light, next_.light, y);
     row.count = next_.count.row(y);
     row.distance = next_.distance.row(y);
     row.kept_part = next_.part.row(y);
+    row.kept_facing = next_.facing.row(y);
     row.motion[0] = motion_x_.row(y);
     row.motion[1] = motion_y_.row(y);
     row.moves = moves_.row(y);
@@ -139,6 +141,7 @@ void TemporalUpscaler::stretch(glm::ivec2 size) {
     stretched.count.fit(size.x, size.y);
     stretched.distance.fit(size.x, size.y);
     stretched.part.fit(size.x, size.y);
+    stretched.facing.fit(size.x, size.y);
     for (int y = 0; has_history_ && y < size.y; ++y) {
         for (int x = 0; x < size.x; ++x) {
             const int u = x * size_.x / size.x, v = y * size_.y / size.y;
@@ -146,6 +149,7 @@ void TemporalUpscaler::stretch(glm::ivec2 size) {
             stretched.count.at(x, y) = std::min(kept_.count.at(u, v), 1.0f);
             stretched.distance.at(x, y) = kept_.distance.at(u, v);
             stretched.part.at(x, y) = kept_.part.at(u, v);
+            stretched.facing.at(x, y) = kept_.facing.at(u, v);
         }
     }
     if (has_history_) {
@@ -169,6 +173,7 @@ void TemporalUpscaler::fit(const GuidedFrame& frame) {
     for (Plane* plane : {&next_.count, &next_.distance, &motion_x_, &motion_y_, &moves_})
         plane->fit(size.x, size.y);
     next_.part.fit(size.x, size.y);
+    next_.facing.fit(size.x, size.y);
     fit_bordered(lighted_, size);
     const glm::ivec2 shown = frame.doubles ? 2 * size : size;
     if (has_history_ && shown_ != shown) picture_ = stretched(picture_, shown_, shown);

@@ -88,7 +88,7 @@ class TemporalUpscaler {
         Plane3 light;
         Plane count;  // of the samples in its mean; 0: none yet
         Plane distance;
-        PlaneU32 part;
+        PlaneU32 part, facing;  // what it lies on, and where that faces
     };
     // How pixels of the large picture lie between lit ones, a number for every x.
     struct Between {
