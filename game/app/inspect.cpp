@@ -74,8 +74,11 @@ int inspect(const InspectOptions& options) {
     if (!page) return refuse(page.error());
     const auto loaded = load::load_level(*level, {.finds_ways = false});
     if (!loaded) return refuse(loaded.error());
-    std::cout << printable(*page + "  needs      " + render::sentence_of(render::scene_needs(*loaded)) +
+    std::cout << printable(page->text + "  needs      " + render::sentence_of(render::scene_needs(*loaded)) +
                            "\n");
+    if (page->errors > 0)
+        return refuse({fmt::format("{}: {} error{}, told of above", options.file, page->errors,
+                                   page->errors == 1 ? "" : "s")});
     return kExitFine;
 }
 

@@ -45,8 +45,8 @@ void describe_geometry(const world::Level& level, Page& page) {
          at(level.bounds.min), at(level.bounds.max));
     const glm::dvec3& origin = level.origin;
     if (origin != glm::dvec3(0.0))
-        line(page, "  origin     ({:.0f}, {:.0f}, {:.0f}) in the file: places here count from there", origin.x,
-             origin.y, origin.z);
+        line(page, "  origin     ({:.0f}, {:.0f}, {:.0f}) in the file: places here count from there",
+             origin.x, origin.y, origin.z);
     line(page, "  triangles  {} drawn, {} stored in {} meshes, {} parts ({} shells)", drawn, stored,
          level.meshes.size(), level.parts.size(),
          count(level.parts, [](const world::Part& p) { return p.is_shell; }));
@@ -141,7 +141,7 @@ void describe_report(const LevelReport& report, Page& page) {
 
 }  // namespace
 
-Result<std::string> describe_level(const std::filesystem::path& path) {
+Result<LevelPage> describe_level(const std::filesystem::path& path) {
     const Result<world::Level> level = load_level(path, {.fuses_parts = false});
     if (!level) return level.error();
     Page page;
@@ -153,8 +153,9 @@ Result<std::string> describe_level(const std::filesystem::path& path) {
     describe_people(*level, page);
     describe_navmesh(*level, page);
     describe_places(*level, page);
-    describe_report(check_level(*level), page);
-    return page;
+    const LevelReport report = check_level(*level);
+    describe_report(report, page);
+    return LevelPage{page, report.errors.size()};
 }
 
 }  // namespace gh::load

@@ -3,12 +3,18 @@
 
 #include "base/result.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
 namespace gh::load {
 
+struct LevelPage {
+    std::string text;
+    std::size_t errors = 0;  // told of in it: what keeps the level from being played fairly
+};
+
 // Loads the level, checks it (level_check.h) and describes it, errors and warnings last.
-[[nodiscard]] Result<std::string> describe_level(const std::filesystem::path& path);
+[[nodiscard]] Result<LevelPage> describe_level(const std::filesystem::path& path);
 
 }  // namespace gh::load

@@ -161,6 +161,13 @@ def untrue_recordings():
 def broken_levels():
     with open(os.path.join(ASSETS, "levels", "foyer.glb"), "rb") as file:
         whole = file.read()
+    path = os.path.join(OUT, "no_way_out.glb")
+    with open(path, "wb") as file:
+        file.write(whole.replace(b'"kind":"exit"', b'"kinD":"exit"'))
+    done = run("inspect", path)
+    check("a level with an error is shown", "ERROR" in done.stdout and "guard" in done.stdout, done.stdout)
+    check("and refused, in a sentence", done.returncode == 2 and "no_way_out.glb: 1 error" in done.stderr, f"{done.returncode} {done.stderr}")
+    os.remove(path)
     rng = random.Random(1)
     for i in range(12):
         data = bytearray(whole)
