@@ -61,6 +61,15 @@ Escapes throw_stones(std::uint64_t seed, const glm::vec3& centre, float spread, 
     return result;
 }
 
+template <class Outside>
+Escapes throw_balls(const TestScene& scene, std::uint64_t seed, const glm::vec3& centre, float spread,
+                    float rounding, Outside&& outside) {
+    const auto cast = [&](const glm::vec3& at, float radius, const glm::vec3& way) {
+        return rc::sphere_cast(scene.scene(), at, radius, way, rc::kAllLayers);
+    };
+    return throw_stones(seed, centre, spread, rounding, cast, outside);
+}
+
 TEST(CastEscape, NoStoneLeavesABallOfManyTriangles) {
     TestScene scene;
     scene.add(make_ball(glm::vec3(0.0f), 3.0f, 6));
@@ -78,12 +87,7 @@ TEST(CastEscape, NoStoneLeavesABallOfManyTriangles) {
         }
         return farthest;
     };
-    const Escapes result = throw_stones(
-        1, glm::vec3(0.0f), 1.0f, 2e-6f,
-        [&](const glm::vec3& at, float radius, const glm::vec3& way) {
-            return rc::sphere_cast(scene.scene(), at, radius, way, rc::kAllLayers);
-        },
-        outside);
+    const Escapes result = throw_balls(scene, 1, glm::vec3(0.0f), 1.0f, 2e-6f, outside);
     EXPECT_EQ(result.escaped, 0) << "of " << result.casts << "; farthest " << result.worst;
     EXPECT_GT(result.casts, 49'000);
     EXPECT_GT(result.contacts, 20'000);
@@ -100,12 +104,7 @@ TEST(CastEscape, NoStoneLeavesABoxWithThinWalls) {
         const glm::vec3 beyond = glm::abs(p) - half;
         return std::max({beyond.x, beyond.y, beyond.z});
     };
-    const Escapes result = throw_stones(
-        2, glm::vec3(0.0f), 1.2f, 2e-6f,
-        [&](const glm::vec3& at, float radius, const glm::vec3& way) {
-            return rc::sphere_cast(scene.scene(), at, radius, way, rc::kAllLayers);
-        },
-        outside);
+    const Escapes result = throw_balls(scene, 2, glm::vec3(0.0f), 1.2f, 2e-6f, outside);
     EXPECT_EQ(result.escaped, 0) << "of " << result.casts << "; farthest " << result.worst;
     EXPECT_GT(result.casts, 49'000);
     EXPECT_GT(result.contacts, 20'000);
@@ -121,12 +120,8 @@ TEST(CastEscape, NoStoneLeavesABoxTenKilometresAway) {
         const glm::vec3 beyond = glm::abs(p - centre) - half;
         return std::max({beyond.x, beyond.y, beyond.z});
     };
-    const Escapes result = throw_stones(
-        3, centre, 1.2f, 2e-3f,  // a float's step is 1 mm there
-        [&](const glm::vec3& at, float radius, const glm::vec3& way) {
-            return rc::sphere_cast(scene.scene(), at, radius, way, rc::kAllLayers);
-        },
-        outside);
+    const Escapes result =
+        throw_balls(scene, 3, centre, 1.2f, 2e-3f, outside);  // a float's step is 1 mm there
     EXPECT_EQ(result.escaped, 0) << "of " << result.casts << "; farthest " << result.worst;
     EXPECT_GT(result.contacts, 20'000);
 }

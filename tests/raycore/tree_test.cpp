@@ -3,6 +3,7 @@
 #include "support/shapes.h"
 #include "visit.h"
 
+#include "raycore/every_way.h"
 #include "raycore/query.h"
 
 #include <glm/common.hpp>
@@ -131,22 +132,10 @@ TEST_P(Tree, AHundredThousandIdenticalTrianglesStayShallow) {
     EXPECT_EQ(primitives.size(), 100'000u);
 }
 
-std::string quality_name(const ::testing::TestParamInfo<rc::BuildQuality>& info) {
-    switch (info.param) {
-        case rc::BuildQuality::Fast:
-            return "fast";
-        case rc::BuildQuality::Default:
-            return "default";
-        case rc::BuildQuality::High:
-            return "high";
-    }
-    return "unknown";
-}
-
 INSTANTIATE_TEST_SUITE_P(EveryQuality, Tree,
                          ::testing::Values(rc::BuildQuality::Fast, rc::BuildQuality::Default,
                                            rc::BuildQuality::High),
-                         quality_name);
+                         test::quality_test_name);
 
 // The lane of a ray's frame that means nothing is computed along: denormal, it would make every ray wait.
 TEST(Views, HoldNothingOfWhatMemoryHeldBefore) {

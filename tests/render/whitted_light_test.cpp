@@ -17,6 +17,24 @@ void add_floor(Studio& studio, float albedo) {
     studio.add_sheet(glm::vec3(0.0f), {0, 0, 10}, {10, 0, 0}, test::matte(glm::vec3(albedo)));
 }
 
+// One metre above the floor, one metre square.
+void add_panel(Studio& studio) {
+    studio.add_lamp({.name = {},
+                     .shape = world::LampShape::Rect,
+                     .position = {0, 1, 0},
+                     .direction = {0, -1, 0},
+                     .intensity = glm::vec3(1.0f),
+                     .half_u = {0.5f, 0, 0},
+                     .half_v = {0, 0, 0.5f}});
+}
+
+// Over a grey floor, a black board under that half of it where x is above 0.
+void add_half_covered_panel(Studio& studio) {
+    add_floor(studio, 0.5f);
+    studio.add_sheet({5.0f, 0.5f, 0.0f}, {5.0f, 0, 0}, {0, 0, 5.0f}, test::matte(glm::vec3(0.0f)));
+    add_panel(studio);
+}
+
 // Looks straight down at the origin from beside the lamp's axis.
 render::Camera at_origin() {
     return narrow({0.0f, 3.0f, 0.0f}, 0.0f, kDown);
@@ -36,13 +54,7 @@ TEST(Whitted, APointLampLightsAGreyFloorByTheInverseSquare) {
 TEST(Whitted, APanelOverAFloorGivesTheKnownRadianceWithoutNoise) {
     Studio studio;
     add_floor(studio, 0.5f);
-    studio.add_lamp({.name = {},
-                     .shape = world::LampShape::Rect,
-                     .position = {0, 1, 0},
-                     .direction = {0, -1, 0},
-                     .intensity = glm::vec3(1.0f),
-                     .half_u = {0.5f, 0, 0},
-                     .half_v = {0, 0, 0.5f}});
+    add_panel(studio);
     studio.open();
     for (std::uint32_t frame = 0; frame < 8; ++frame) {
         EXPECT_NEAR(studio.picture(at_origin(), 1, 1, exact(), frame).pixels[0].x, 0.11972824f, 2e-6f);
@@ -52,15 +64,7 @@ TEST(Whitted, APanelOverAFloorGivesTheKnownRadianceWithoutNoise) {
 // A board under one half of the panel: by symmetry half of the light is left, whatever the panel's shape.
 TEST(Whitted, HalfAPanelLeavesHalfTheLight) {
     Studio studio;
-    add_floor(studio, 0.5f);
-    studio.add_sheet({5.0f, 0.5f, 0.0f}, {5.0f, 0, 0}, {0, 0, 5.0f}, test::matte(glm::vec3(0.0f)));
-    studio.add_lamp({.name = {},
-                     .shape = world::LampShape::Rect,
-                     .position = {0, 1, 0},
-                     .direction = {0, -1, 0},
-                     .intensity = glm::vec3(1.0f),
-                     .half_u = {0.5f, 0, 0},
-                     .half_v = {0, 0, 0.5f}});
+    add_half_covered_panel(studio);
     studio.open();
     render::WhittedSettings settings = exact();
     settings.shadow_samples = 64;
@@ -79,15 +83,7 @@ TEST(Whitted, HalfAPanelLeavesHalfTheLight) {
 
 TEST(Whitted, NeighboursThatShareSamplesAgreeOnAPenumbraAsManySamplesDo) {
     Studio studio;
-    add_floor(studio, 0.5f);
-    studio.add_sheet({5.0f, 0.5f, 0.0f}, {5.0f, 0, 0}, {0, 0, 5.0f}, test::matte(glm::vec3(0.0f)));
-    studio.add_lamp({.name = {},
-                     .shape = world::LampShape::Rect,
-                     .position = {0, 1, 0},
-                     .direction = {0, -1, 0},
-                     .intensity = glm::vec3(1.0f),
-                     .half_u = {0.5f, 0, 0},
-                     .half_v = {0, 0, 0.5f}});
+    add_half_covered_panel(studio);
     studio.open();
     const render::Camera camera{.position = {-0.2f, 0.4f, 0.0f}, .pitch = kDown, .fov_y = 0.6f};
     render::WhittedSettings one = exact(), shared = exact(), many = exact();
