@@ -55,16 +55,20 @@ class Desk:
     def xdotool(self, *words):
         return subprocess.run(["xdotool", *words], env=self.env, capture_output=True, text=True)
 
+    def let_pass(self, seconds):
+        """So much time as the game has for itself: more where others want the processors, too."""
+        time.sleep(seconds * max(1.0, os.getloadavg()[0] / os.cpu_count()))
+
     def hold(self, key, seconds):
         """A press that lasts longer than one slow frame."""
         self.xdotool("keydown", key)
-        time.sleep(seconds)
+        self.let_pass(seconds)
         self.xdotool("keyup", key)
 
     def pointer_can_leave(self):
         """Whether the pointer is the person's: a game that is played keeps it inside its window."""
         self.xdotool("mousemove", "1100", "700")
-        time.sleep(1.0)
+        self.let_pass(1.0)
         place = dict(line.split("=") for line in self.xdotool("getmouselocation", "--shell").stdout.split())
         return (int(place["X"]), int(place["Y"])) == (1100, 700)
 
@@ -124,15 +128,14 @@ class Desk:
     def press(self, *keys):
         """One after the other, each long enough for a slow frame to see it and too short to repeat: after .58 s the menu
         takes a key that is down for a second press. One process holds it, so that a busy machine makes it no longer."""
-        crowd = max(1.0, os.getloadavg()[0] / os.cpu_count())
         for key in keys:
             self.xdotool("keydown", key, "sleep", "0.35", "keyup", key)
-            time.sleep(0.4 * crowd)
+            self.let_pass(0.4)
 
     def quit_by_menu(self):
         """Escape, then down to Quit: Resume, Settings, Controls, Restart, Quit."""
         self.xdotool("key", "Escape")
-        time.sleep(1.0)
+        self.let_pass(1.0)
         self.press("Down", "Down", "Down", "Down", "space")
         try:
             code = self.game.wait(TIMEOUT_S)

@@ -18,7 +18,6 @@ import base64
 import json
 import os
 import struct
-import time
 
 from desk import Desk, fail, program_and_folder, ticks_spent
 
@@ -91,7 +90,7 @@ def hold_mirror_up(desk):
 
     desk.wait_until("2_before", look, nothing)
     desk.xdotool("keydown", "f")
-    time.sleep(1.5)
+    desk.let_pass(1.5)
     if not nothing(look(desk.screenshot("3_f_without_mirror"))):
         fail("F shows a mirror that nobody has picked up")
     desk.xdotool("keyup", "f")

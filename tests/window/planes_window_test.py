@@ -5,7 +5,6 @@ press brings the game's own back.
 """
 
 import os
-import time
 
 from desk import Desk, fail, program_and_folder
 
@@ -15,7 +14,7 @@ LEAST = 0.01  # of white, root mean square: two planes that differ by less are o
 
 def press(desk, key):
     desk.hold(key, 0.8)
-    time.sleep(1.0)
+    desk.let_pass(1.0)
 
 
 def main():
@@ -32,7 +31,7 @@ def main():
                 fail(f"F4 does not show {plane}")
             before = shown
         press(desk, "F4")
-        time.sleep(1.0)
+        desk.let_pass(1.0)
         back = desk.difference(picture, desk.screenshot("picture_again"))
         print(f"the picture again: differs from the first by {back:.4f}")
         if back > 0.1:

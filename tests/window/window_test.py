@@ -5,7 +5,6 @@
 
 import os
 import subprocess
-import time
 
 from desk import TIMEOUT_S, Desk, fail, program_and_folder, ticks_spent
 
@@ -25,30 +24,30 @@ def walk(desk):
         fail("holding W changed nothing to be seen")
     desk.hold("c", 1.5)
     desk.xdotool("key", "F3")
-    time.sleep(1.0)
+    desk.let_pass(1.0)
     desk.screenshot("3_profiler")
 
 
 def resize(desk):
     desk.xdotool("windowsize", "--sync", desk.window, "960", "600")
-    time.sleep(1.5)
+    desk.let_pass(1.5)
     resized = desk.screenshot("4_resized")
     mean, deviation = desk.figures(resized, "960x600+0+0")
     print(f"resized: mean {mean:.4f}, deviation {deviation:.4f}")
     if deviation < 0.01:
         fail("nothing is drawn after resizing")
     desk.xdotool("windowsize", "--sync", desk.window, "640", "360")
-    time.sleep(1.0)
+    desk.let_pass(1.0)
 
 
 def pause(desk):
     if desk.pointer_can_leave():
         fail("the pointer leaves the window while the game is played")
     desk.xdotool("key", "F3")  # the profiler's figures go on behind the menu, and they may
-    time.sleep(0.5)
+    desk.let_pass(0.5)
     before_menu = desk.screenshot("5_before_menu")
     desk.xdotool("key", "Escape")
-    time.sleep(1.5)
+    desk.let_pass(1.5)
     menu = desk.screenshot("6_menu")
     change = desk.difference(before_menu, menu)
     print(f"paused: the picture changed by {change:.4f}")
@@ -60,7 +59,7 @@ def pause(desk):
     if not desk.pointer_can_leave():
         fail("Escape does not free the pointer")
     desk.xdotool("key", "Escape")
-    time.sleep(1.0)
+    desk.let_pass(1.0)
 
 
 def main():
