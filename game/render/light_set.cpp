@@ -17,9 +17,24 @@ namespace gh::render {
 namespace {
 
 constexpr float kJustBefore =
-    1.0f - 0x1p-16f;  // of the way to a panel: rounding of its plane at a cosine of .01
+    1.0f - 0x1p-16f;                        // of the way to a panel: rounding of its plane at a cosine of .01
+constexpr float kAboutTriangle = 0x1p-10f;  // of the way to one, at a cosine of 1e-4
+constexpr float kBallReach = 2.0f;  // radii: a sheared instance draws a ball out by less than the root of 3
 
 }  // namespace
+
+// Between which two distances a light lies whose own triangles are looked for; `distance`: to the place on it.
+void LightSet::limit(const Light& light, float distance, LightSample& sample) {
+    if (light.kind == Kind::Triangle) {
+        sample.ray.t_max = distance * (1.0f - kAboutTriangle);
+        sample.reach = distance * (1.0f + kAboutTriangle);
+        return;
+    }
+    const float middle = glm::distance(light.ball.centre, sample.ray.origin);
+    const float around = kBallReach * light.ball.radius;
+    sample.ray.t_max = std::max(middle - around, 0.0f);
+    sample.reach = middle + around;
+}
 
 std::optional<LightSample> LightSet::sample(const rc::SurfacePoint& point, const LightQuery& query,
                                             float u_light, const glm::vec2& u) const {
@@ -111,6 +126,7 @@ LightSample LightSet::sample_light(const Light& light, const rc::SurfacePoint& p
         }
         sample.target_part = light.part;
         sample.target_primitive = light.primitive;
+        limit(light, glm::length(way), sample);
     }
     return sample;
 }

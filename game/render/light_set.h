@@ -40,9 +40,10 @@ struct LightSample {
     glm::vec3 light{0.0f};
     float density = 0.0f;  // over solid angle; of a lamp without extent, the probability of picking it
     bool is_delta = false;
-    rc::Ray ray;
+    rc::Ray ray;         // up to the light, or to where the target may begin: what it meets is in its way
+    float reach = 0.0f;  // along the ray, where the target ends
     std::uint32_t part = world::kNoIndex;              // whose light it is, if a part's
-    std::uint32_t target_part = world::kNoIndex;       // what the ray has to meet first; kNoIndex: nothing
+    std::uint32_t target_part = world::kNoIndex;       // what the ray has to meet next; kNoIndex: nothing
     std::uint32_t target_primitive = world::kNoIndex;  // kNoIndex: any emissive one of the part
 };
 
@@ -133,6 +134,7 @@ class LightSet {
     [[nodiscard]] std::optional<LightSample> sample_far(const rc::SurfacePoint& point,
                                                         const LightQuery& query, float u_light,
                                                         const glm::vec2& u, float share) const;
+    static void limit(const Light& light, float distance, LightSample& sample);
     [[nodiscard]] LightSample sample_light(const Light& light, const rc::SurfacePoint& point,
                                            const glm::vec2& u) const;
     [[nodiscard]] float density_of(const Light& light, const glm::vec3& from, const glm::vec3& at) const;

@@ -88,6 +88,7 @@ class PathTile {
         glm::vec3 diffuse;
         glm::vec3 gloss;
         glm::vec3 start;
+        float reach;
         const world::Material* inside;
         std::uint32_t target_part, target_primitive;
         std::uint16_t pixel;
@@ -111,7 +112,9 @@ class PathTile {
     void trace_generation(FrameStats& stats);
     void meet_together(std::size_t begin, std::size_t end, FrameStats& stats);
     void trace_shadows(FrameStats& stats);
-    void note_what_to_look_through(FrameStats& stats);
+    void look_through(FrameStats& stats);
+    void look_for_targets();
+    void ask_left(rc::LayerMask layers);
     void settle(const Shadow& shadow, const rc::Ray& ray, const rc::Hit& hit, FrameStats& stats);
 
     // path_tile_shade.inl
@@ -185,9 +188,10 @@ class PathTile {
     std::vector<Path> now_, next_;
     std::vector<rc::Ray> rays_;
     std::vector<rc::Hit> hits_;
-    std::vector<rc::Ray> shadow_rays_, target_rays_;
-    std::vector<Shadow> shadows_, targets_;
-    std::vector<std::uint8_t> is_blocked_, meets_clear_, looks_through_;
+    std::vector<rc::Ray> shadow_rays_;
+    std::vector<Shadow> shadows_;
+    std::vector<std::uint8_t> is_blocked_;
+    std::vector<rc::Hit> in_the_way_;  // one a shadow
     std::vector<rc::Ray> left_;
     std::vector<std::size_t> left_index_;
 };

@@ -75,6 +75,7 @@ void PathTile<kFeatures>::ask_lamp(const Path& path, const Scatterer& here, bool
     Shadow shadow{.diffuse = diffuse * scale,
                   .gloss = gloss * scale,
                   .start = at.surface.position,
+                  .reach = light->reach,
                   .inside = nullptr,
                   .target_part = light->target_part,
                   .target_primitive = light->target_primitive,
@@ -90,8 +91,8 @@ void PathTile<kFeatures>::ask_lamp(const Path& path, const Scatterer& here, bool
     }
     const bool goes_through = glm::dot(light->direction, at.geometric) < 0.0f;
     shadow.inside = goes_through ? here.beyond.top() : path.media.top();
-    (has_target ? target_rays_ : shadow_rays_).push_back(light->ray);
-    (has_target ? targets_ : shadows_).push_back(shadow);
+    shadow_rays_.push_back(light->ray);
+    shadows_.push_back(shadow);
 }
 
 // The last surface of a path gives back what its lamps give it and the light that was baked about it, as if it was dull.

@@ -2,6 +2,7 @@
 // in the light, only in the noise.
 #include "path_studio.h"
 #include "render/gleams.h"
+#include "world/layers.h"
 
 #include <gtest/gtest.h>
 
@@ -101,6 +102,41 @@ TEST(PathGleams, ClampingDimsAndRougheningKeepsEnergy) {
     settings.most_indirect = rc::kInfinity;
     const test::Moments direct = test::moments(test::means(studio, camera, settings));
     EXPECT_GT(clamped.mean, direct.mean - 4.0 * direct.error) << "the first light is never clamped";
+}
+
+// A bulb's shadow rays ask what is opaque up to twice its radius, then what is clear, then what they meet beyond: things
+// stand in each of these ways, and nobody who merely runs into the bulb knows of any of them.
+TEST(PathGleams, ABulbBehindGlassInATightShadeIsAskedAsItIsMet) {
+    Studio studio;
+    studio.add_sheet(glm::vec3(0.0f), {0, 0, 3}, {3, 0, 0}, test::matte(glm::vec3(0.5f)));
+    constexpr float kRadius = 0.2f;
+    const glm::vec3 centre(0.5f, 1.0f, 0.0f);
+    studio.add_ball(centre, kRadius, 8, test::glowing(4.0f));
+    world::Material tinted = test::clear_glass(1.5f);
+    tinted.base_color = {0.5f, 0.6f, 0.7f, 1.0f};
+    const glm::vec3 down(0.0f, -kRadius, 0.0f);
+    studio.add_sheet(centre + down * 1.2f, {0.1f, 0, 0}, {0, 0, 0.1f}, test::matte(glm::vec3(0.0f)));
+    studio.add_sheet(centre + down * 1.4f, {0, 0, 0.4f}, {0.4f, 0, 0}, tinted);
+    studio.add_sheet(centre + down * 3.0f, {0, 0, 0.3f}, {0.12f, 0, 0}, test::matte(glm::vec3(0.0f)));
+    studio.open();
+    ASSERT_EQ(studio.prepared.emitters[0].kind, render::EmitterKind::Bulb);
+    ASSERT_EQ(studio.prepared.blocking_layers, world::Blocker);
+    const render::Camera camera = test::narrow({0.0f, 0.3f, 0.0f}, 0.0f, -1.2f);
+    std::vector<std::vector<double>> results;
+    using render::LampFinding;
+    for (const LampFinding finding : {LampFinding::Both, LampFinding::AskOnly, LampFinding::MeetOnly}) {
+        render::PathSettings settings = test::reference(128);
+        settings.lamps = finding;
+        settings.max_depth = 8;  // panes end paths that are as long
+        settings.caustics = render::Caustics::Unbent;
+        results.push_back(test::means(studio, camera, settings));
+    }
+    test::expect_same_mean(results[0], results[1], "both, asked");
+    test::expect_same_mean(results[0], results[2], "both, met");
+    // A level that does not say which of its parts are opaque has the same light.
+    const Image split = test::path_picture(studio, camera, 16, 16, test::reference(4));
+    studio.prepared.blocking_layers = world::Light;
+    EXPECT_TRUE(split.pixels == test::path_picture(studio, camera, 16, 16, test::reference(4)).pixels);
 }
 
 }  // namespace
