@@ -16,7 +16,7 @@ namespace gh::render {
 
 namespace {
 
-constexpr float kListedShare = 0.85f;  // of picks, where the lists know of lamps
+constexpr float kListedShare = 0.94f;  // of picks, where the lists know of lamps
 
 }  // namespace
 
