@@ -70,8 +70,7 @@ void smooth_level(const Guides& guides, std::span<const Smoothing> signals, int 
 }  // namespace
 
 void Signal::fit(int width, int height) {
-    light.fit(width, height);
-    variance.fit(width, height);
+    fit_together(width, height, light, variance);
 }
 
 void atrous_level(const Guides& guides, const SignalView& in, const AtrousSettings& settings, int level,

@@ -88,10 +88,7 @@ void make_guides(const GBuffer& surfaces, const Jobs& jobs, Guides& guides) {
 
 RowWork guide_rows(const GBuffer& surfaces, Guides& guides) {
     const int width = surfaces.width(), height = surfaces.height();
-    guides.nearness.fit(width, height);
-    guides.slope_x.fit(width, height);
-    guides.slope_y.fit(width, height);
-    guides.normal.fit(width, height);
+    fit_together(width, height, guides.nearness, guides.slope_x, guides.slope_y, guides.normal);
     const Projector projector = projector_of(surfaces.lens);
     GuidesRow shared{};
     copy(surfaces.lens.eye, shared.eye);

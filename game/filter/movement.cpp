@@ -27,10 +27,8 @@ namespace gh::filter {
 HWY_EXPORT(movement_row);
 
 void Movement::fit(int width, int height) {
-    x.fit(width, height);
-    y.fit(width, height);
+    fit_together(width, height, x, y, moves);
     itself.resize(static_cast<std::size_t>(height));
-    moves.fit(width, height);
 }
 
 void Movement::finish() {

@@ -193,8 +193,7 @@ Projector projector_of(const Pinhole& lens) {
 }
 
 void Taps::fit(int width, int height) {
-    first.fit(width, height);
-    for (Plane& plane : weight) plane.fit(width, height);
+    fit_together(width, height, first, weight[0], weight[1], weight[2], weight[3]);
 }
 
 ReprojectRow reproject_row_of(const GBuffer& now, const Pinhole& then, glm::ivec2 size_then) {

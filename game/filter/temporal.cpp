@@ -108,8 +108,7 @@ namespace gh::filter {
 HWY_EXPORT(accumulate_row);
 
 void Accumulated::fit(int width, int height) {
-    light.fit(width, height);
-    for (Plane* plane : {&square, &length, &fast}) plane->fit(width, height);
+    fit_together(width, height, light, square, length, fast);
 }
 
 void accumulate(const Plane3& samples, const Plane& change, const Past& past,

@@ -14,13 +14,14 @@ FrameStats& FrameStats::operator+=(const FrameStats& other) {
 }
 
 void FilmPlanes::resize(int width, int height) {
-    for (Plane3* light : {&direct, &indirect, &specular, &clean}) light->fit(width, height);
-    part.resize(width, height, kSky);
+    fit_together(width, height, part, position, previous, geometric, normal, albedo, gloss, roughness,
+                 reflected, rays, direct, indirect, specular, clean);
+    part.fill(kSky);
     for (Plane3* plane : {&position, &previous, &geometric, &normal, &albedo, &gloss})
-        plane->resize(width, height);
-    roughness.resize(width, height, 1.0f);
-    reflected.resize(width, height);
-    rays.resize(width, height);
+        plane->fill(glm::vec3(0.0f));
+    roughness.fill(1.0f);
+    reflected.fill(0.0f);
+    rays.fill(0.0f);
 }
 
 }  // namespace gh::render
