@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gh::filter::HWY_NAMESPACE {
 
 static HWY_INLINE Floats usable_albedo(const float* from) {
-    const Floats albedo = load(from), least = splat(kLeastAlbedo);
+    const Floats albedo = load_far(from), least = splat(kLeastAlbedo);
     return choose(hn::And(hn::Gt(albedo, least), is_finite(albedo)), albedo, least);
 }
 

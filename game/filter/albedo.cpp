@@ -25,7 +25,7 @@ static void demodulate_row(const DemodulateRow& row) {
 }
 
 static HWY_INLINE Floats light_or_black(const float* from, std::size_t x) {
-    return from != nullptr ? load(from + x) : hn::Zero(F());
+    return from != nullptr ? load_far(from + x) : hn::Zero(F());
 }
 
 struct Colour {

@@ -157,7 +157,7 @@ static HWY_INLINE void add_neighbours(const AtrousSignal& signal, std::size_t x,
 }
 
 static HWY_INLINE void store_smooth(const Gathering& from, Floats smooth, const float* own, float* to) {
-    store(choose(from.sure, load(own), smooth), to);
+    store_far(choose(from.sure, load(own), smooth), to);
 }
 
 // The neighbours' variance is taken to be what it is about here: one plane less to read for every neighbour, and each

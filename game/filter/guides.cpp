@@ -19,11 +19,11 @@ static HWY_INLINE Floats along(const float* axis, Floats x, Floats y, Floats z) 
 static void guides_row(const GuidesRow& row) {
     const Floats one = splat(1.0f);
     for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) {
-        const Floats dx = hn::Sub(load(row.position[0] + x), splat(row.eye[0]));
-        const Floats dy = hn::Sub(load(row.position[1] + x), splat(row.eye[1]));
-        const Floats dz = hn::Sub(load(row.position[2] + x), splat(row.eye[2]));
-        const Floats nx = load(row.geometric[0] + x), ny = load(row.geometric[1] + x),
-                     nz = load(row.geometric[2] + x);
+        const Floats dx = hn::Sub(load_far(row.position[0] + x), splat(row.eye[0]));
+        const Floats dy = hn::Sub(load_far(row.position[1] + x), splat(row.eye[1]));
+        const Floats dz = hn::Sub(load_far(row.position[2] + x), splat(row.eye[2]));
+        const Floats nx = load_far(row.geometric[0] + x), ny = load_far(row.geometric[1] + x),
+                     nz = load_far(row.geometric[2] + x);
 
         const Floats direct = hn::Div(one, along(row.ahead, dx, dy, dz));
         const Floats scale = hn::Div(one, dot(nx, ny, nz, dx, dy, dz));
@@ -41,19 +41,20 @@ static void guides_row(const GuidesRow& row) {
 
         const auto sky = hn::Set(I(), static_cast<std::int32_t>(kNoSurface));
         const Ints part = hn::LoadU(I(), reinterpret_cast<const std::int32_t*>(row.part) + x);
-        const Floats sx = load(row.smooth[0] + x), sy = load(row.smooth[1] + x), sz = load(row.smooth[2] + x);
+        const Floats sx = load_far(row.smooth[0] + x), sy = load_far(row.smooth[1] + x),
+                     sz = load_far(row.smooth[2] + x);
         const Floats length = dot(sx, sy, sz, sx, sy, sz);
         // Written so that a NaN anywhere is a no: behind this door nobody looks again.
         const Lanes usable = hn::And(hn::And(hn::Gt(direct, hn::Zero(F())), is_finite(direct)),
                                      hn::And(hn::Gt(length, splat(0.5f)), hn::Lt(length, splat(2.0f))));
         const Lanes surface = hn::And(usable, hn::RebindMask(F(), hn::Ne(part, sky)));
         const Lanes foretells = hn::And(surface, sound);
-        store(zero_unless(surface, choose(sound, by_plane, direct)), row.nearness + x);
-        store(zero_unless(foretells, slope_x), row.slope_x + x);
-        store(zero_unless(foretells, slope_y), row.slope_y + x);
-        store(zero_unless(surface, sx), row.normal[0] + x);
-        store(zero_unless(surface, sy), row.normal[1] + x);
-        store(zero_unless(surface, sz), row.normal[2] + x);
+        store_far(zero_unless(surface, choose(sound, by_plane, direct)), row.nearness + x);
+        store_far(zero_unless(foretells, slope_x), row.slope_x + x);
+        store_far(zero_unless(foretells, slope_y), row.slope_y + x);
+        store_far(zero_unless(surface, sx), row.normal[0] + x);
+        store_far(zero_unless(surface, sy), row.normal[1] + x);
+        store_far(zero_unless(surface, sz), row.normal[2] + x);
     }
 }
 

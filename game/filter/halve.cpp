@@ -73,9 +73,13 @@ static void halve_row(const HalveRow& row) {
     const std::size_t half = (static_cast<std::size_t>(row.width) + 1) / 2;
     const Floats zero = hn::Zero(F()), one = splat(1.0f);
     for (std::size_t u = 0; u < half; u += lane_count()) {
-        for (int plane = 0; plane < row.picked; ++plane)
+        for (int plane = 0; plane < row.picked; ++plane) {
+            fetch_far(row.from[plane] + 2 * u);
+            fetch_far(row.from[plane] + 2 * u + lane_count());
+            fetch_far(row.to[plane] + u);
             hn::StoreU(columns_of(row.from[plane], u).at[0], I(),
                        reinterpret_cast<std::int32_t*>(row.to[plane]) + u);
+        }
         if (row.lights == 0) continue;
         Lanes fits[4];
         find_alike(row, u, fits);
@@ -89,7 +93,7 @@ static void halve_row(const HalveRow& row) {
                 const Floats above = hn::Add(upper.at[0], zero_unless(fits[1], upper.at[1]));
                 const Floats below =
                     hn::Add(zero_unless(fits[2], lower.at[0]), zero_unless(fits[3], lower.at[1]));
-                store(hn::Mul(hn::Add(above, below), share), row.out_light[light][c] + u);
+                store_far(hn::Mul(hn::Add(above, below), share), row.out_light[light][c] + u);
             }
         }
     }

@@ -53,7 +53,7 @@ static Colour mean_around(const MendRow& row, std::size_t x) {
 
 static void mend_row(const MendRow& row) {
     for (std::size_t x = 0; x < static_cast<std::size_t>(row.width); x += lane_count()) {
-        Colour c = colour_at(row, static_cast<std::ptrdiff_t>(x));
+        Colour c{load_far(row.light[0] + x), load_far(row.light[1] + x), load_far(row.light[2] + x)};
         const Lanes sound = is_sound(c);
         const Lanes fine = hn::And(sound, hn::Le(luminance(c.r, c.g, c.b), splat(row.floor)));
         if (!hn::AllTrue(F(), fine)) {
@@ -72,9 +72,9 @@ static void mend_row(const MendRow& row) {
             c.g = hn::Div(c.g, usable_albedo(row.albedo[1] + x));
             c.b = hn::Div(c.b, usable_albedo(row.albedo[2] + x));
         }
-        store(c.r, row.out[0] + x);
-        store(c.g, row.out[1] + x);
-        store(c.b, row.out[2] + x);
+        store_far(c.r, row.out[0] + x);
+        store_far(c.g, row.out[1] + x);
+        store_far(c.b, row.out[2] + x);
     }
 }
 

@@ -32,6 +32,15 @@ void Movement::fit(int width, int height) {
 }
 
 void Movement::finish() {
+    const auto height = static_cast<int>(itself.size());
+    const auto is_still = [this](int line) {
+        const RowSpan& span = itself[static_cast<std::size_t>(line)];
+        return span.begin == span.end;
+    };
+    moved_begin = 0;
+    moved_end = height;
+    while (moved_begin < moved_end && is_still(moved_begin)) ++moved_begin;
+    while (moved_end > moved_begin && is_still(moved_end - 1)) --moved_end;
     std::swap(moves, moved_before);
 }
 

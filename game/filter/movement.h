@@ -32,6 +32,8 @@ struct Movement {
 
     // 1 in pixels whose surface did, else 0; and the same of the last picture, of the size that had.
     Plane moves, moved_before;
+    // Rows [begin, end) of the last picture, outside of which nothing did.
+    int moved_begin = 0, moved_end = 0;
 
     void fit(int width, int height);
     // Once a picture is made: this one is the last.

@@ -30,9 +30,10 @@ void PictureMean::smooth_row(int y, const Movement& movement, const Plane& chang
     if (has_past_) {
         row.past = past_of(mean_, size_then_);
         const Plane& moved = movement.moved_before;
-        if (moved.width() == size_then_.x && moved.height() == size_then_.y) {
+        if (moved.width() == size_then_.x && moved.height() == size_then_.y &&
+            movement.moved_begin < movement.moved_end) {
             row.moves = movement.moves.row(y);
-            point_to_moved(row.past, moved);
+            point_to_moved(row.past, moved, movement.moved_begin, movement.moved_end);
         }
     }
     point_to_bordered(row.next, next_, y);

@@ -29,15 +29,12 @@ static HWY_INLINE Cubic catmull_rom(Floats t) {
              hn::Mul(half, hn::Sub(t3, t2))}};
 }
 
-// The pictures before, at places of theirs, by a sharp filter: a mean is moved in every frame, and a bilinear one would
-// blur it each time. The four corners of the sixteen are left out: together they weigh a sixty-fourth at most.
-static HWY_INLINE Vector picture_at(const PicturePast& past, Floats at_x, Floats at_y, Lanes lanes) {
-    const Floats low_x = hn::Floor(at_x), low_y = hn::Floor(at_y);
-    const Floats share_x = hn::Sub(at_x, low_x), share_y = hn::Sub(at_y, low_y), zero = hn::Zero(F());
-    const Ints stride = hn::Set(I(), static_cast<std::int32_t>(past.stride));
-    const Ints first = hn::Add(hn::Mul(hn::ConvertTo(I(), low_y), stride), hn::ConvertTo(I(), low_x));
-    const TapPlace place = place_of(hn::IfThenElseZero(hn::RebindMask(I(), lanes), first), lanes);
-    for (const float* plane : past.picture) foresee_tap(plane, place, 3 * past.stride);
+// By a sharp filter: a mean is moved in every frame, and a bilinear one would blur it each time. The four corners of the
+// sixteen are left out: together they weigh a sixty-fourth at most.
+template <class Place>
+static HWY_INLINE Vector cubic_at(const PicturePast& past, const Place& place, Floats share_x,
+                                  Floats share_y) {
+    const Floats zero = hn::Zero(F());
     const auto read = [&](std::ptrdiff_t step) {
         return Vector{read_tap(past.picture[0], place, step), read_tap(past.picture[1], place, step),
                       read_tap(past.picture[2], place, step)};
@@ -57,13 +54,29 @@ static HWY_INLINE Vector picture_at(const PicturePast& past, Floats at_x, Floats
     return scaled(sum, hn::Div(splat(1.0f), hn::Sub(splat(1.0f), corners)));
 }
 
+// The pictures before, at places of theirs.
+static HWY_INLINE Vector picture_at(const PicturePast& past, Floats at_x, Floats at_y, Lanes lanes) {
+    const Floats low_x = hn::Floor(at_x), low_y = hn::Floor(at_y);
+    const Floats share_x = hn::Sub(at_x, low_x), share_y = hn::Sub(at_y, low_y);
+    const Ints stride = hn::Set(I(), static_cast<std::int32_t>(past.stride));
+    const Ints first = hn::Add(hn::Mul(hn::ConvertTo(I(), low_y), stride), hn::ConvertTo(I(), low_x));
+    const TapPlace place = place_of(hn::IfThenElseZero(hn::RebindMask(I(), lanes), first), lanes);
+    for (const float* plane : past.picture) foresee_tap(plane, place, 3 * past.stride);
+    return place.runs == 1 ? cubic_at(past, RunPlace{place.start[0]}, share_x, share_y)
+                           : cubic_at(past, place, share_x, share_y);
+}
+
 // Behind something that walked on by itself: what was shown there is none of what is there. At edges of what stands still
 // either side belongs to the mean.
 static HWY_INLINE Lanes was_hidden(const PicturePast& past, Floats moves, Floats at_x, Floats at_y,
                                    Lanes seen) {
     const Floats half = splat(0.5f), zero = hn::Zero(F());
+    const Floats low_y = hn::Floor(hn::Add(at_y, half));
+    seen = hn::And(seen, hn::And(hn::Ge(low_y, splat(static_cast<float>(past.moved_begin))),
+                                 hn::Lt(low_y, splat(static_cast<float>(past.moved_end)))));
+    if (hn::AllFalse(F(), seen)) return seen;
     const Ints column = hn::ConvertTo(I(), zero_unless(seen, hn::Floor(hn::Add(at_x, half))));
-    const Ints line = hn::ConvertTo(I(), zero_unless(seen, hn::Floor(hn::Add(at_y, half))));
+    const Ints line = hn::ConvertTo(I(), zero_unless(seen, low_y));
     const Ints stride = hn::Set(I(), static_cast<std::int32_t>(past.moved_stride));
     const TapPlace place = place_of(hn::Add(hn::Mul(line, stride), column), seen);
     const Lanes moved = hn::Gt(read_tap(past.moved, place, 0), zero);

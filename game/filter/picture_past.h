@@ -22,8 +22,11 @@ namespace gh::filter {
     return past;
 }
 
-inline void point_to_moved(PicturePast& past, const Plane& moved) {
+// Of which rows [begin, end) are asked.
+inline void point_to_moved(PicturePast& past, const Plane& moved, int begin, int end) {
     past.moved = moved.row(0);
+    past.moved_begin = begin;
+    past.moved_end = end;
     past.moved_stride = moved.stride();
 }
 

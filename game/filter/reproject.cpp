@@ -33,15 +33,16 @@ struct Wanted {
     Floats right, below;  // the surface's point seen from the first tap, in pixels
 };
 
-static HWY_INLINE Lanes is_of_part(const ReprojectRow& row, const TapPlace& place, std::ptrdiff_t step,
+template <class Place>
+static HWY_INLINE Lanes is_of_part(const ReprojectRow& row, const Place& place, std::ptrdiff_t step,
                                    const Wanted& wanted) {
     return hn::RebindMask(F(), hn::Eq(read_tap(row.then_part, place, step), wanted.part));
 }
 
-static HWY_INLINE Lanes same_surface(const ReprojectRow& row, const TapPlace& place, int tap,
+// `right`, `below`: of the place.
+template <class Place>
+static HWY_INLINE Lanes same_surface(const ReprojectRow& row, const Place& place, int right, int below,
                                      const Wanted& wanted) {
-    const int below = tap / 2;
-    const int right = tap % 2;
     const std::ptrdiff_t step = below * row.then_stride + right;
     const GuideRows& guides = row.then_guides;
     const Floats dx = hn::Sub(wanted.right, splat(static_cast<float>(right)));
@@ -75,33 +76,49 @@ static void ask_around(const ReprojectRow& row, std::size_t x, const Then& then,
     const Floats half = splat(0.5f);
     const Floats column = zero_unless(lost, hn::Floor(hn::Add(then.x, half)));
     const Floats line = zero_unless(lost, hn::Floor(hn::Add(then.y, half)));
-    const Ints stride = hn::Set(I(), static_cast<std::int32_t>(row.then_stride));
+    const Ints middle =
+        hn::Add(hn::Mul(hn::ConvertTo(I(), line), hn::Set(I(), static_cast<std::int32_t>(row.then_stride))),
+                hn::ConvertTo(I(), column));
+    const TapPlace place = place_of(middle, lost);  // the slack holds all that lie around it
+    Wanted loose = wanted;
+    loose.tolerance = hn::Mul(hn::Abs(wanted.nearness), splat(kLooseNearness));
+    loose.least_cosine = splat(kLooseNormal);
+    loose.right = hn::Sub(then.surface.x, column);
+    loose.below = hn::Sub(then.surface.y, line);
     for (const auto& [dx, dy] : kAround) {
         const Floats u = hn::Add(column, splat(static_cast<float>(dx)));
         const Floats v = hn::Add(line, splat(static_cast<float>(dy)));
         const Lanes in =
             hn::And(hn::And(hn::Ge(u, zero), hn::Lt(u, splat(static_cast<float>(row.then_width)))),
                     hn::And(hn::Ge(v, zero), hn::Lt(v, splat(static_cast<float>(row.then_height)))));
-        Lanes asks = hn::And(lost, in);
+        const std::ptrdiff_t step = dy * row.then_stride + dx;
+        // Mostly none: then nothing else is read.
+        const Lanes asks = hn::And(hn::And(lost, in), is_of_part(row, place, step, wanted));
         if (hn::AllFalse(F(), asks)) continue;
-        const Ints at = hn::Add(hn::Mul(hn::ConvertTo(I(), zero_unless(asks, v)), stride),
-                                hn::ConvertTo(I(), zero_unless(asks, u)));
-        const TapPlace place = place_of(at, asks);
-        asks = hn::And(asks, is_of_part(row, place, 0, wanted));  // mostly none: then nothing else is read
-        if (hn::AllFalse(F(), asks)) continue;
-        Wanted there = wanted;
-        there.tolerance = hn::Mul(hn::Abs(wanted.nearness), splat(kLooseNearness));
-        there.least_cosine = splat(kLooseNormal);
-        there.right = hn::Sub(then.surface.x, u);
-        there.below = hn::Sub(then.surface.y, v);
-        const Lanes found = hn::And(asks, same_surface(row, place, 0, there));
+        const Lanes found = hn::And(asks, same_surface(row, place, dx, dy, loose));
         if (hn::AllFalse(F(), found)) continue;
         store(choose(found, splat(1.0f), load(row.weight[0] + x)), row.weight[0] + x);
         const auto chosen = hn::RebindMask(I(), found);
+        const Ints at = hn::Add(middle, hn::Set(I(), static_cast<std::int32_t>(step)));
         hn::StoreU(hn::IfThenElse(chosen, at, hn::LoadU(I(), row.first + x)), I(), row.first + x);
         lost = hn::AndNot(found, lost);
         if (hn::AllFalse(F(), lost)) return;
     }
+}
+
+// Leaves only the weights of taps that showed the same surface; their sum.
+template <class Place>
+static HWY_INLINE Floats keep_surface(const ReprojectRow& row, const Place& place, const Wanted& wanted,
+                                      Floats weight[4]) {
+    const Floats zero = hn::Zero(F());
+    Floats sum = zero;
+    for (int tap = 0; tap < 4; ++tap) {
+        // In a picture that stands still one tap in four is asked.
+        if (hn::AllTrue(F(), hn::Eq(weight[tap], zero))) continue;
+        weight[tap] = zero_unless(same_surface(row, place, tap % 2, tap / 2, wanted), weight[tap]);
+        sum = hn::Add(sum, weight[tap]);
+    }
+    return sum;
 }
 
 static void weigh_taps(const ReprojectRow& row, std::size_t x, const Then& then) {
@@ -141,17 +158,14 @@ static void weigh_taps(const ReprojectRow& row, std::size_t x, const Then& then)
     const Lanes column_in[2] = {hn::Ge(column, zero), hn::Lt(column, last_column)};
     const Lanes line_in[2] = {hn::Ge(line, zero), hn::Lt(line, last_line)};
     Floats weight[4];
-    Floats sum = zero;
     for (int tap = 0; tap < 4; ++tap) {
         const Lanes in = hn::And(usable, hn::And(column_in[tap % 2], line_in[tap / 2]));
         weight[tap] = zero_unless(in, hn::Mul(across[tap % 2], down[tap / 2]));
-        // In a picture that stands still one tap in four is asked.
-        if (hn::AllTrue(F(), hn::Eq(weight[tap], zero))) continue;
-        weight[tap] = zero_unless(same_surface(row, place, tap, wanted), weight[tap]);
-        sum = hn::Add(sum, weight[tap]);
     }
+    const Floats sum = place.runs == 1 ? keep_surface(row, RunPlace{place.start[0]}, wanted, weight)
+                                       : keep_surface(row, place, wanted, weight);
     const Floats share = zero_unless(hn::Ge(sum, splat(kLeastWeight)), hn::Div(one, sum));
-    for (int tap = 0; tap < 4; ++tap) store(hn::Mul(weight[tap], share), row.weight[tap] + x);
+    for (int tap = 0; tap < 4; ++tap) store_far(hn::Mul(weight[tap], share), row.weight[tap] + x);
     hn::StoreU(first, I(), row.first + x);
     const Lanes lost = hn::And(usable, hn::Lt(sum, splat(kLeastWeight)));
     if (!hn::AllFalse(F(), lost)) ask_around(row, x, then, wanted, lost);

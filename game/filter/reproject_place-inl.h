@@ -77,7 +77,7 @@ static HWY_INLINE Then then_of(const ReprojectRow& row, std::size_t x, const Pic
 
 static HWY_INLINE Then find_place(const ReprojectRow& row, std::size_t x) {
     Vector here = load3_at(row.position, static_cast<std::ptrdiff_t>(x)),
-           before = load3_at(row.previous, static_cast<std::ptrdiff_t>(x));
+           before = load3_far(row.previous, static_cast<std::ptrdiff_t>(x));
     const PicturePoint surface = project(row.then, before);
     if (row.reflected == nullptr) return then_of(row, x, project(row.now, here), surface, surface);
     const Vector image = behind(row, x, here);

@@ -28,6 +28,11 @@ struct TapPlace {
     Lanes lanes[kMostRuns];           // of the first all that belong to no other
 };
 
+// Of pixels that were side by side: of the vector's first.
+struct RunPlace {
+    std::ptrdiff_t start;
+};
+
 // Of pixels that lie anywhere.
 static HWY_INLINE TapPlace scattered(Ints first) {
     TapPlace place;
@@ -64,6 +69,14 @@ static HWY_INLINE TapPlace place_of(Ints first, Lanes matter) {
 template <class T>
 static HWY_INLINE void foresee_tap(const T* plane, const TapPlace& place, std::ptrdiff_t step) {
     if (place.runs > 0) hwy::Prefetch(plane + place.start[0] + step);
+}
+
+static HWY_INLINE Floats read_tap(const float* plane, const RunPlace& place, std::ptrdiff_t step) {
+    return load(plane + place.start + step);
+}
+
+static HWY_INLINE Ints read_tap(const std::uint32_t* plane, const RunPlace& place, std::ptrdiff_t step) {
+    return hn::LoadU(I(), reinterpret_cast<const std::int32_t*>(plane) + place.start + step);
 }
 
 static HWY_INLINE Floats read_tap(const float* plane, const TapPlace& place, std::ptrdiff_t step) {

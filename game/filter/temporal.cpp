@@ -19,7 +19,6 @@ struct Brought {
 };
 
 struct Blend {
-    TapPlace place;
     std::ptrdiff_t stride;
     Floats weight[4];
     Lanes counts[4];
@@ -27,15 +26,23 @@ struct Blend {
 };
 
 // A tap without weight is not read, be it one of a pixel or one of all: in a picture that stands still one in four has any.
-static HWY_INLINE Floats blend_taps(const Blend& blend, const float* plane) {
+template <class Place>
+static HWY_INLINE Floats blend_taps(const Blend& blend, const Place& place, const float* plane) {
     const std::ptrdiff_t step[4] = {0, 1, blend.stride, blend.stride + 1};
     Floats sum = hn::Zero(F());
     for (int tap = 0; tap < 4; ++tap) {
         if (!blend.is_used[tap]) continue;
-        const Floats value = read_tap(plane, blend.place, step[tap]);
+        const Floats value = read_tap(plane, place, step[tap]);
         sum = hn::Add(sum, zero_unless(blend.counts[tap], hn::Mul(value, blend.weight[tap])));
     }
     return sum;
+}
+
+template <class Place>
+static HWY_INLINE Brought blend_all(const AccumulateRow& row, const Blend& blend, const Place& place) {
+    return {blend_taps(blend, place, row.then_light[0]), blend_taps(blend, place, row.then_light[1]),
+            blend_taps(blend, place, row.then_light[2]), blend_taps(blend, place, row.then_square),
+            blend_taps(blend, place, row.then_length),   blend_taps(blend, place, row.then_fast)};
 }
 
 static HWY_INLINE Brought bring(const AccumulateRow& row, std::size_t x) {
@@ -49,14 +56,12 @@ static HWY_INLINE Brought bring(const AccumulateRow& row, std::size_t x) {
         known = hn::Or(known, blend.counts[tap]);
     }
     if (!row.has_past || hn::AllFalse(F(), known)) return {zero, zero, zero, zero, zero, zero};
-    blend.place = place_of(hn::LoadU(I(), row.first + x), known);
+    const TapPlace place = place_of(hn::LoadU(I(), row.first + x), known);
     blend.stride = row.then_stride;
     for (const float* plane : {row.then_light[0], row.then_light[1], row.then_light[2], row.then_square,
                                row.then_length, row.then_fast})
-        foresee_tap(plane, blend.place, 2 * blend.stride);
-    return {blend_taps(blend, row.then_light[0]), blend_taps(blend, row.then_light[1]),
-            blend_taps(blend, row.then_light[2]), blend_taps(blend, row.then_square),
-            blend_taps(blend, row.then_length),   blend_taps(blend, row.then_fast)};
+        foresee_tap(plane, place, 2 * blend.stride);
+    return place.runs == 1 ? blend_all(row, blend, RunPlace{place.start[0]}) : blend_all(row, blend, place);
 }
 
 static HWY_INLINE Floats toward(Floats from, Floats to, Floats share) {
@@ -87,12 +92,12 @@ static HWY_INLINE void add_sample(const AccumulateRow& row, std::size_t x) {
     const Floats change = row.change != nullptr ? at_most(positive(load(row.change + x)), one) : zero;
     const Floats share = zero_unless(good, new_share(past.length, change, row.longest));
     const Floats fast_share = zero_unless(good, new_share(past.length, change, row.fast_longest));
-    store(toward(past.r, r, share), row.light[0] + x);
-    store(toward(past.y, y, share), row.light[1] + x);
-    store(toward(past.b, b, share), row.light[2] + x);
-    store(toward(past.square, hn::Mul(y, y), share), row.square + x);
-    store(choose(good, hn::Div(one, share), past.length), row.length + x);
-    store(toward(past.fast, y, fast_share), row.fast + x);
+    store_far(toward(past.r, r, share), row.light[0] + x);
+    store_far(toward(past.y, y, share), row.light[1] + x);
+    store_far(toward(past.b, b, share), row.light[2] + x);
+    store_far(toward(past.square, hn::Mul(y, y), share), row.square + x);
+    store_far(choose(good, hn::Div(one, share), past.length), row.length + x);
+    store_far(toward(past.fast, y, fast_share), row.fast + x);
 }
 
 static void accumulate_row(const AccumulateRow& row) {

@@ -41,7 +41,7 @@ static HWY_INLINE void smooth_vector(const SmoothRow& row, std::size_t x) {
         const Vector mixed = plus(before, scaled(minus(now, before), share));
         mean = choose(seen, mixed, now);
     }
-    store3(mean, row.next, x);
+    store3_far(mean, row.next, x);
     if (row.out_planes[0] != nullptr) store3(mean, row.out_planes, x);
     if (row.out != nullptr) store3(mean, row.out, x, static_cast<std::size_t>(row.width));
 }

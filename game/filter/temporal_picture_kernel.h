@@ -13,6 +13,7 @@ struct PicturePast {
     std::ptrdiff_t stride;
     const float* moved;  // 1 where something moved by itself in the last picture, row 0; null: nobody knows
     std::ptrdiff_t moved_stride;
+    int moved_begin, moved_end;  // rows outside of which nothing did
 };
 
 // Pictures a mean goes over where nothing moves, and where each frame moves them.

@@ -52,7 +52,7 @@ Beside beside(float jitter, float sharp) {
 PicturePast TemporalUpscaler::past() const {
     PicturePast past = past_of(picture_, shown_);
     if (moved_before_.width() == moves_.width() && moved_before_.height() == moves_.height())
-        point_to_moved(past, moved_before_);
+        point_to_moved(past, moved_before_, 0, moved_before_.height());
     return past;
 }
 

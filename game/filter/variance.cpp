@@ -85,7 +85,7 @@ static void variance_row(const VarianceRow& row) {
             const Floats samples = choose(hn::Gt(length, one), length, one);
             variance = choose(too_few, hn::Div(variance_around(row, sums, x), samples), variance);
         }
-        store(variance, row.variance + x);
+        store_far(variance, row.variance + x);
     }
 }
 

@@ -57,10 +57,18 @@ static HWY_INLINE Vector clamped(const Vector& a, const Vector& low, const Vecto
 static HWY_INLINE Vector load3_at(const float* const from[3], std::ptrdiff_t i) {
     return {load(from[0] + i), load(from[1] + i), load(from[2] + i)};
 }
+static HWY_INLINE Vector load3_far(const float* const from[3], std::ptrdiff_t i) {
+    return {load_far(from[0] + i), load_far(from[1] + i), load_far(from[2] + i)};
+}
 static HWY_INLINE void store3(const Vector& v, float* const to[3], std::size_t x) {
     store(v.x, to[0] + x);
     store(v.y, to[1] + x);
     store(v.z, to[2] + x);
+}
+static HWY_INLINE void store3_far(const Vector& v, float* const to[3], std::size_t x) {
+    store_far(v.x, to[0] + x);
+    store_far(v.y, to[1] + x);
+    store_far(v.z, to[2] + x);
 }
 
 // Of a row of `width` pixels with x, y and z side by side and nothing behind it; 0 beyond.
