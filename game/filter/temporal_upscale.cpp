@@ -137,11 +137,7 @@ void TemporalUpscaler::spread_row(const GuidedFrame& frame, int y) {
 // What is kept has another size: begin with it stretched.
 void TemporalUpscaler::stretch(glm::ivec2 size) {
     Kept stretched;
-    stretched.light.fit(size.x, size.y);
-    stretched.count.fit(size.x, size.y);
-    stretched.distance.fit(size.x, size.y);
-    stretched.part.fit(size.x, size.y);
-    stretched.facing.fit(size.x, size.y);
+    stretched.fit(size);
     for (int y = 0; has_history_ && y < size.y; ++y) {
         for (int x = 0; x < size.x; ++x) {
             const int u = x * size_.x / size.x, v = y * size_.y / size.y;
@@ -169,11 +165,8 @@ void TemporalUpscaler::fit(const GuidedFrame& frame) {
         planes->fit(lit.x, lit.y);
     for (Plane* plane : {&lit_.distance, &lit_.known}) plane->fit(lit.x, lit.y);
     lit_.part.fit(lit.x, lit.y);
-    next_.light.fit(size.x, size.y);
-    for (Plane* plane : {&next_.count, &next_.distance, &motion_x_, &motion_y_, &moves_})
-        plane->fit(size.x, size.y);
-    next_.part.fit(size.x, size.y);
-    next_.facing.fit(size.x, size.y);
+    next_.fit(size);
+    fit_together(size.x, size.y, motion_x_, motion_y_, moves_);
     fit_bordered(lighted_, size);
     const glm::ivec2 shown = frame.doubles ? 2 * size : size;
     if (has_history_ && shown_ != shown) picture_ = stretched(picture_, shown_, shown);

@@ -89,6 +89,8 @@ class TemporalUpscaler {
         Plane count;  // of the samples in its mean; 0: none yet
         Plane distance;
         PlaneU32 part, facing;  // what it lies on, and where that faces
+
+        void fit(glm::ivec2 size) { fit_together(size.x, size.y, light, count, distance, part, facing); }
     };
     // How pixels of the large picture lie between lit ones, a number for every x.
     struct Between {
