@@ -61,7 +61,7 @@ render::Camera FilmStrip::shutter_opens(const render::Camera& camera) const {
 void FilmStrip::expose(const render::SceneView& scene, const render::Camera& camera,
                        const render::Camera& opened, std::uint32_t frame, const Jobs& jobs) {
     if (!light_paths(options_.renderer.renderer)) {
-        const render::WhittedSettings settings{.samples_per_pixel = options_.samples_per_pixel};
+        const render::WhittedSettings settings = whitted_settings(options_.samples_per_pixel, false);
         const bool is_even = options_.size.width % 2 == 0 && options_.size.height % 2 == 0;
         if (options_.samples_per_pixel == 1 && is_even && !options_.writes_exr)
             return look_four_times(scene, camera, settings, frame, jobs);

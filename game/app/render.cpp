@@ -58,9 +58,8 @@ int render(const RenderOptions& options) {
         if (*sky) settings.environment = &**sky;
         view.expose(scene, with_lens(*camera, options.renderer), settings, 0, jobs);
     } else {
-        const render::WhittedSettings settings{.samples_per_pixel = options.samples_per_pixel,
-                                               .is_adaptive = options.is_adaptive};
-        view.expose({*level, snapshot, prepared}, *camera, settings, 0, jobs);
+        view.expose({*level, snapshot, prepared}, *camera,
+                    whitted_settings(options.samples_per_pixel, options.is_adaptive), 0, jobs);
     }
     const float ms = milliseconds_since(start);
     if (const auto written = write_picture(options.output, view, jobs); !written)

@@ -94,6 +94,13 @@ render::Camera with_lens(render::Camera camera, const RendererOptions& options) 
     return camera;
 }
 
+render::WhittedSettings whitted_settings(int samples_per_pixel, bool is_adaptive) {
+    constexpr int kEnough = 4;
+    return {.samples_per_pixel = samples_per_pixel,
+            .shares_samples = is_adaptive || samples_per_pixel < kEnough,
+            .is_adaptive = is_adaptive};
+}
+
 render::PathSettings path_settings(const RendererOptions& options, int samples_per_pixel, float exposure) {
     const bool is_cook = light_paths(options.renderer) == render::LightPaths::Glossy;
     render::PathSettings settings = is_cook ? render::cook_path() : render::PathSettings();

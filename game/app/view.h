@@ -45,6 +45,8 @@ inline constexpr float kPlayerFov = 1.2217305f;  // radians, vertical: 70 degree
 // The lens that --aperture and --focus ask for, on a camera.
 [[nodiscard]] render::Camera with_lens(render::Camera camera, const RendererOptions& options);
 
+// Whitted's for a picture by itself. From four samples on, those of a pixel say more than its neighbours', which blur shadows.
+[[nodiscard]] render::WhittedSettings whitted_settings(int samples_per_pixel, bool is_adaptive);
 // What the command line asks of the path tracer, for an eye of this exposure: --clamp goes by what shows as white.
 [[nodiscard]] render::PathSettings path_settings(const RendererOptions& options, int samples_per_pixel,
                                                  float exposure);

@@ -108,7 +108,8 @@ glm::vec2 TileTracer::pixel_point(int x, int y) const {
     glm::vec2 at = glm::vec2(0.5f) + frame_.settings.jitter;
     if (frame_.settings.samples_per_pixel > 1) {
         at = sobol_point(static_cast<std::uint32_t>(sample_),
-                         hash_u32(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0xA11A5u));
+                         hash_u32(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
+                                  0xA11A5u + frame_.settings.places));
     }
     return glm::vec2(static_cast<float>(x), static_cast<float>(y)) + at;
 }

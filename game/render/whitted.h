@@ -48,6 +48,9 @@ struct WhittedSettings {
     // Where in its pixel the only sample lies, from the middle, in [-0.5, 0.5): turned from frame to frame by what adds
     // frames up.
     glm::vec2 jitter{0.0f};
+    // Which places in their pixels several samples take. No frame changes them, so that edges stand still in films; means of
+    // many pictures want others in each.
+    std::uint32_t places = 0;
 };
 
 // Fills film.radiance (of the size it has) and film.stats. `frame` turns the sampling pattern; a still uses 0.

@@ -201,7 +201,15 @@ std::vector<Contestant> contestants(bool is_quick) {
 Contestant truth_of(const std::string& truth, int samples_per_pixel) {
     if (truth == "path") return path(truth, samples_per_pixel, {});
     if (truth == kRealTime) return path(truth, samples_per_pixel, unfiltered_real_time());
-    return whitted(truth, samples_per_pixel, {.min_weight = 1e-4f, .shares_samples = false});
+    Contestant mean = whitted(truth, samples_per_pixel, {});
+    const WhittedSettings alone{
+        .samples_per_pixel = samples_per_pixel, .min_weight = 1e-4f, .shares_samples = false};
+    mean.begin = single([alone](const Shot& shot, Film& film) {
+        WhittedSettings settings = alone;
+        settings.places = whitted_number(shot);  // a mean of pictures through the same places has their edges
+        whitted_frame(shot, settings, film);
+    });
+    return mean;
 }
 
 }  // namespace speed_error

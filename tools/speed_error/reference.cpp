@@ -16,7 +16,7 @@ namespace speed_error {
 
 namespace {
 
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr int kSamplesAtOnce = 16;  // a picture of more would show no progress
 
 struct Header {
