@@ -55,7 +55,7 @@ std::string plot(const std::vector<Line>& lines, const std::string& x_title, con
 
     std::string svg = fmt::format(
         "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {0} {1}' width='{0}' height='{1}' "
-        "font-family='sans-serif' font-size='11'>\n",
+        "font-family='sans-serif' font-size='11'><rect width='100%' height='100%' fill='#fff'/>\n",
         kPlotWidth, kPlotHeight);
     for (const double x : x_axis.decades()) {
         svg += fmt::format(
@@ -76,17 +76,20 @@ std::string plot(const std::vector<Line>& lines, const std::string& x_title, con
         y_title);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const char* color = kColors[i % kColors.size()];
+        const bool is_second = i >= kColors.size();  // of its colour: dashed, and its points are rings
         std::string path;
         for (const Point& p : lines[i].points) {
             if (!is_shown(p)) continue;
             path += fmt::format("{:.1f},{:.1f} ", x_at(p.x), y_at(p.y));
-            svg += fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='4' fill='{}'><title>{}</title></circle>\n",
-                               x_at(p.x), y_at(p.y), color, p.title);
+            svg += fmt::format(
+                "<circle cx='{:.1f}' cy='{:.1f}' r='4' fill='{}' stroke='{}'><title>{}</title></circle>\n",
+                x_at(p.x), y_at(p.y), is_second ? "#fff" : color, color, p.title);
         }
-        svg +=
-            fmt::format("<polyline points='{}' fill='none' stroke='{}' stroke-width='1.5'/>\n", path, color);
-        svg += fmt::format("<text x='{}' y='{}' fill='{}'>{}</text>\n", kPlotWidth - kRight + 12,
-                           kTop + 14 + 16 * static_cast<double>(i), color, lines[i].name);
+        svg += fmt::format("<polyline points='{}' fill='none' stroke='{}' stroke-width='1.5'{}/>\n", path,
+                           color, is_second ? " stroke-dasharray='5 3'" : "");
+        svg += fmt::format("<text x='{}' y='{}' fill='{}'>{}{}</text>\n", kPlotWidth - kRight + 12,
+                           kTop + 14 + 16 * static_cast<double>(i), color, lines[i].name,
+                           is_second ? " (dashed)" : "");
     }
     return svg + "</svg>\n";
 }
