@@ -29,7 +29,10 @@ std::uint32_t whitted_number(const Shot& shot) {
     return shot.seed * kFramesOfARun + shot.frame;
 }
 
-void whitted_frame(const Shot& shot, const WhittedSettings& settings, Film& film) {
+// Each run has its own places in pixels, as it has its own samples: a mean of pictures through the same ones, which a truth is,
+// would have their edges.
+void whitted_frame(const Shot& shot, WhittedSettings settings, Film& film) {
+    settings.places = shot.seed;
     gh::render::render_whitted(shot.scene, shot.camera, settings, whitted_number(shot), shot.jobs, film);
 }
 
@@ -129,7 +132,7 @@ std::function<Run()> denoised_run(const PathSettings& settings) {
             path_frame(shot, jittered, film);
             memory->reshading.note(shot.camera, jittered, shot.frame, film);
             const double rendered = core_ms();
-            memory->denoiser.denoise(film, shot.jobs, {.adds_up = true}, memory->change);
+            memory->denoiser.denoise(film, shot.jobs, {.adds_up = true}, &memory->change);
             return StageTimes{.render_ms = rendered - start, .filter_ms = core_ms() - rendered};
         };
     };
@@ -201,15 +204,7 @@ std::vector<Contestant> contestants(bool is_quick) {
 Contestant truth_of(const std::string& truth, int samples_per_pixel) {
     if (truth == "path") return path(truth, samples_per_pixel, {});
     if (truth == kRealTime) return path(truth, samples_per_pixel, unfiltered_real_time());
-    Contestant mean = whitted(truth, samples_per_pixel, {});
-    const WhittedSettings alone{
-        .samples_per_pixel = samples_per_pixel, .min_weight = 1e-4f, .shares_samples = false};
-    mean.begin = single([alone](const Shot& shot, Film& film) {
-        WhittedSettings settings = alone;
-        settings.places = whitted_number(shot);  // a mean of pictures through the same places has their edges
-        whitted_frame(shot, settings, film);
-    });
-    return mean;
+    return whitted(truth, samples_per_pixel, {.min_weight = 1e-4f, .shares_samples = false});
 }
 
 }  // namespace speed_error
