@@ -29,17 +29,20 @@ void exchange(render::FilmPlanes& planes, filter::GBuffer& surfaces, filter::Lig
 }  // namespace
 
 void FilmDenoiser::denoise(render::Film& film, const Jobs& jobs, const filter::DenoiseSettings& settings,
-                           const filter::Plane& change_then) {
+                           filter::Plane* change_then) {
     render::FilmPlanes& planes = film.planes;
     EXPECTS(!planes.part.empty());
     EXPECTS(film.radiance.width == planes.part.width() && film.radiance.height == planes.part.height());
     static_assert(render::FilmPlanes::kSky == filter::kNoSurface);
     surfaces_.lens = {planes.eye, planes.corner, planes.right, planes.down};
-    light_.change_then = change_then;
-    exchange(planes, surfaces_, light_);
+    const auto lend = [&] {
+        exchange(planes, surfaces_, light_);
+        if (change_then != nullptr) std::swap(*change_then, light_.change_then);
+    };
+    lend();
     denoiser_.denoise(surfaces_, light_, settings, jobs, picture_,
                       {.before = {}, .after = [&](int y) { filter::join_row(picture_, y, film.radiance); }});
-    exchange(planes, surfaces_, light_);
+    lend();
 }
 
 }  // namespace gh::app

@@ -14,9 +14,10 @@ class FilmDenoiser {
   public:
     // The next frame is the first: after a cut.
     void forget() { denoiser_.forget(); }
-    // Replaces film.radiance. Precondition: film.planes are filled. `change_then` as filter::Light has it.
+    // Replaces film.radiance. Precondition: film.planes are filled. `change_then`, if there is any, as filter::Light has it;
+    // it is borrowed, as the film's planes are.
     void denoise(render::Film& film, const Jobs& jobs, const filter::DenoiseSettings& settings = {},
-                 const filter::Plane& change_then = {});
+                 filter::Plane* change_then = nullptr);
     [[nodiscard]] const filter::Denoiser& denoiser() const { return denoiser_; }
 
   private:

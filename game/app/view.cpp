@@ -179,7 +179,7 @@ void View::trace(const render::SceneView& scene, const render::Camera& camera,
         .halves_indirect = is_fine, .halves_specular = is_fine, .adds_up = adds_up};
     // A firefly is what stands out and is brighter than four times white.
     filtering.mend.floor = std::min(filtering.mend.floor, 4.0f / kClamp * settings.most_indirect);
-    denoiser_.denoise(film_, jobs, filtering, change_);
+    denoiser_.denoise(film_, jobs, filtering, &change_);
 }
 
 void View::expose_next(const render::SceneView& scene, const render::Camera& camera,

@@ -56,10 +56,10 @@ std::size_t there_and_back(int round) {
 void bench_denoiser(const char* name, bool halves, const Jobs& jobs, int rounds,
                     std::vector<render::Film>& films) {
     app::FilmDenoiser denoiser;
-    const filter::Plane unchanged(kFilmWidth, kFilmHeight);  // what paths asked again say of lamps that burn on
+    filter::Plane unchanged(kFilmWidth, kFilmHeight);  // what paths asked again say of lamps that burn on
     const Samples samples = measure(cpu_ms, rounds, 1, [&](int round) {
         denoiser.denoise(films[there_and_back(round)], jobs,
-                         {.halves_indirect = halves, .halves_specular = halves, .adds_up = true}, unchanged);
+                         {.halves_indirect = halves, .halves_specular = halves, .adds_up = true}, &unchanged);
     });
     print_row(name, samples, picture_hash(films[there_and_back(rounds - 1)].radiance));
 }
