@@ -209,7 +209,8 @@ present::HudModel HudReader::model(const world::Level& level, const world::Snaps
     hud.lenses_taken = state.rules.lenses_taken_count;
     hud.room = room_;
     hud.room_age = room_age_;
-    if (choices.captions) hud.captions = captions_.list();
+    for (const present::Caption& caption : captions_.list())
+        if (choices.captions || !caption.has_bearing) hud.captions.push_back(caption);
     if (choices.hints && hints_.lesson()) {
         hud.hint = words_for(*hints_.lesson(), level, choices.keys);
         hud.hint_strength = hints_.strength();

@@ -26,7 +26,7 @@ class HudReader {
   public:
     // Once a tick: picks up this tick's noises and the room the player is in.
     void note_tick(const world::Level& level, const world::Snapshot& now);
-    // Says something that is not a noise.
+    // Says something that is not a noise, and is read without captions too.
     void say(const std::string& words);
 
     // As it stands. `camera` and `aspect` place the throw's arc in the picture.

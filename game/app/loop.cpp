@@ -56,10 +56,7 @@ Loop::Loop(Session& session, present::Window& window, std::string level_name,
       watched_(std::move(watched)),
       devices_(window.device()),
       menu_(devices_, settings_path()) {
-    for (const std::string& complaint : menu_.complaints()) {
-        std::cerr << "glasshouse: " << complaint << '\n';
-        hud_.say(complaint);
-    }
+    for (const std::string& complaint : menu_.complaints()) say(complaint);
     auto sound = Sound::open_device();
     if (sound) {
         sound_ = *std::move(sound);
@@ -73,30 +70,46 @@ Loop::Loop(Session& session, present::Window& window, std::string level_name,
 
 Loop::~Loop() = default;
 
-Result<void> Loop::begin_recording(const std::filesystem::path& path) {
-    if (is_watching()) return {};
+void Loop::begin_recording(const std::filesystem::path& path) {
+    if (is_watching()) return;
     auto recorder = Recorder::start(path, recording_header(level_name_, *session_.level, seed_));
-    if (!recorder) return recorder.error();
+    if (!recorder) return lose_recording(recorder.error());
     recorder_ = *std::move(recorder);
-    return {};
 }
 
-Result<void> Loop::run(const std::filesystem::path& record_to) {
-    if (auto begun = begin_recording(record_to); !begun) return begun;
+void Loop::finish_recording() {
+    if (!recorder_) return;
+    if (auto finished = recorder_->finish(); !finished) return lose_recording(finished.error());
+    std::cerr << "recorded in " << recorder_->path().string() << '\n';
+    recorder_.reset();
+}
+
+void Loop::lose_recording(const Error& why) {
+    unrecorded_ = why;
+    recorder_.reset();
+    say("this run is not recorded: " + why.sentence);
+}
+
+void Loop::say(const std::string& sentence) {
+    std::cerr << "glasshouse: " << sentence << '\n';
+    hud_.say(sentence);
+}
+
+bool Loop::run(const std::filesystem::path& record_to) {
+    const bool is_asked_for = !record_to.empty();
+    begin_recording(is_asked_for ? record_to : fresh_recording_path(level_name_));
+    if (unrecorded_ && is_asked_for) return false;
     window_.capture_cursor(true);
     last_time_ = Clock::now();
-    while (!wants_to_quit_ && !window_.wants_to_close() && !trouble_) {
+    while (!wants_to_quit_ && !window_.wants_to_close()) {
         window_.poll_events();
         handle_keys();
         advance_time();
         draw();
     }
     if (is_paused_) keep_settings();
-    if (recorder_) {
-        if (auto finished = recorder_->finish(); !finished && !trouble_) trouble_ = finished.error();
-    }
-    if (trouble_) return *trouble_;
-    return {};
+    finish_recording();
+    return !(unrecorded_ && is_asked_for);
 }
 
 void Loop::handle_keys() {
@@ -128,9 +141,7 @@ void Loop::set_paused(bool is_paused) {
 
 void Loop::keep_settings() {
     const auto saved = menu_.save();
-    if (saved) return;
-    hud_.say(saved.error().sentence);
-    std::cerr << "glasshouse: " << saved.error().sentence << '\n';
+    if (!saved) say(saved.error().sentence);
 }
 
 void Loop::advance_time() {
@@ -170,7 +181,7 @@ void Loop::run_tick() {
     const std::shared_ptr<const world::Snapshot> now = session_.simulation->snapshot();
     if (goes_back) devices_.look_along(now->state.player.yaw, now->state.player.pitch);
     if (recorder_) {
-        if (auto noted = recorder_->note_tick(command, now->state); !noted) trouble_ = noted.error();
+        if (auto noted = recorder_->note_tick(command, now->state); !noted) lose_recording(noted.error());
     }
     hud_.note_tick(*session_.level, *now);
     if (sound_) sound_->note_tick(*session_.level, *now);
@@ -239,11 +250,14 @@ void Loop::draw_ui(const render::Camera& camera) {
         present::draw_profiler(model);
     }
     if (is_paused_) {
-        const std::string note =
-            recorder_ ? "this run is recorded in " + recorder_->path().string() : std::string();
-        obey(menu_.draw(note));
+        obey(menu_.draw(recording_note()));
         if (sound_) sound_->set_volume(menu_.settings().volume);
     }
+}
+
+std::string Loop::recording_note() const {
+    if (recorder_) return "this run is recorded in " + recorder_->path().string();
+    return unrecorded_ ? "this run is not recorded: " + unrecorded_->sentence : std::string();
 }
 
 void Loop::obey(present::MenuAction action) {
@@ -263,15 +277,12 @@ void Loop::obey(present::MenuAction action) {
 
 // A new run, and a recording of its own.
 void Loop::start_again() {
-    if (recorder_) {
-        if (auto finished = recorder_->finish(); !finished) trouble_ = finished.error();
-    }
-    recorder_.reset();
+    finish_recording();
     watched_next_ = 0;
     session_.restart(seed_);
     const world::PlayerState& player = session_.simulation->state().player;
     devices_.look_along(player.yaw, player.pitch);
-    if (auto begun = begin_recording(fresh_recording_path(level_name_)); !begun) trouble_ = begun.error();
+    begin_recording(fresh_recording_path(level_name_));
     set_paused(false);
 }
 

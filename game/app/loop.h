@@ -31,8 +31,9 @@ class Loop {
     void trace_paths(render::LightPaths lights) { traced_ = lights; }
     // Instead of what was saved.
     void use_quality(present::QualityName quality) { menu_.settings().quality = quality; }
-    // Until the player quits. An error is a recording that can no longer be written.
-    [[nodiscard]] Result<void> run(const std::filesystem::path& record_to);
+    // Until the player quits; recorded in `record_to`, or in a file of a fresh name if that is empty. A run that can not be
+    // recorded any more is played all the same, and a sentence says so. False: `record_to` was asked for, and is not there.
+    [[nodiscard]] bool run(const std::filesystem::path& record_to);
 
   private:
     void handle_keys();
@@ -46,7 +47,11 @@ class Loop {
     void obey(present::MenuAction action);
     void start_again();
     void keep_settings();
-    Result<void> begin_recording(const std::filesystem::path& path);
+    void begin_recording(const std::filesystem::path& path);
+    void finish_recording();
+    void lose_recording(const Error& why);
+    [[nodiscard]] std::string recording_note() const;
+    void say(const std::string& sentence);
     [[nodiscard]] input::Command next_command();
     [[nodiscard]] bool is_watching() const { return watched_.has_value(); }
 
@@ -59,7 +64,7 @@ class Loop {
     input::Devices devices_;
     PauseMenu menu_;
     std::optional<Recorder> recorder_;
-    std::optional<Error> trouble_;
+    std::optional<Error> unrecorded_;  // why this run, or one before it, is not
     std::unique_ptr<Sound> sound_;
     HudReader hud_;
     View view_{8, 8};

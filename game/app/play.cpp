@@ -24,13 +24,10 @@ int play(const PlayOptions& options) {
     // A file given by path is found again from any folder.
     const bool is_bundled = *path != std::filesystem::path(options.level);
     const std::string name = is_bundled ? options.level : std::filesystem::absolute(*path).string();
-    const std::filesystem::path record = options.record.empty() ? fresh_recording_path(name) : options.record;
     Loop loop(*session, *window, name);
     if (const auto lights = light_paths(options.renderer)) loop.trace_paths(*lights);
     if (const auto quality = quality_named(options.quality)) loop.use_quality(*quality);
-    if (const auto done = loop.run(record); !done) return refuse(done.error());
-    std::cerr << "recorded in " << record.string() << '\n';
-    return kExitFine;
+    return loop.run(options.record) ? kExitFine : kExitUnusable;
 }
 
 }  // namespace gh::app

@@ -128,8 +128,7 @@ int run_in_window(const ReplayOptions& options, const input::Replay& replay, Ses
     Loop loop(session, *window, replay.header.level_name, replay.commands);
     if (const auto lights = light_paths(options.renderer.renderer)) loop.trace_paths(*lights);
     if (const auto quality = quality_named(options.quality)) loop.use_quality(*quality);
-    if (const auto done = loop.run({}); !done) return refuse(done.error());
-    return kExitFine;
+    return loop.run({}) ? kExitFine : kExitUnusable;
 }
 
 }  // namespace

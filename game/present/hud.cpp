@@ -14,9 +14,6 @@ namespace gh::present {
 
 namespace {
 
-constexpr float kCaptionSeconds = 4.0f;
-constexpr std::size_t kMostCaptions = 6;
-
 struct Canvas {
     ImDrawList* list;
     ImVec2 origin;
@@ -210,16 +207,24 @@ void draw_prompt(const Canvas& canvas, const HudModel& model) {
     text(canvas, {text_font(), kSize}, ImVec2(from.x + key + gap, y), kIvory, model.prompt, 0.0f);
 }
 
-void draw_words(const Canvas& canvas, const HudModel& model) {
-    const float middle = canvas.size.x * 0.5f;
-    if (!model.room.empty() && model.room_age < 4.0f) {
-        const float alpha = std::min({1.0f, model.room_age * 2.0f, 4.0f - model.room_age});
-        text(canvas, {heading_font(), 40.0f}, canvas.at(middle, canvas.size.y * 0.13f),
-             faded(kIvory, alpha * 0.9f), model.room, 0.5f);
+// Parted where words end, and where there is no end within the width.
+std::vector<std::string> lines_of(const std::string& words, const ImFont& font, float px, float width) {
+    std::vector<std::string> lines;
+    const char* const end = words.c_str() + words.size();
+    for (const char* from = words.c_str(); from < end;) {
+        const char* const to =
+            std::max(from + 1, font.CalcWordWrapPositionA(px / font.FontSize, from, end, width));
+        lines.emplace_back(from, to);
+        for (from = to; from < end && *from == ' ';) ++from;
     }
+    return lines;
+}
+
+// The newest lowest.
+void draw_captions(const Canvas& canvas, const std::vector<Caption>& captions) {
+    constexpr float kSize = 16.0f;
     float y = canvas.size.y - 116.0f * canvas.unit;
-    for (auto caption = model.captions.rbegin(); caption != model.captions.rend(); ++caption) {
-        const float alpha = std::min(1.0f, kCaptionSeconds - caption->age);
+    for (auto caption = captions.rbegin(); caption != captions.rend(); ++caption) {
         std::string words = "[" + caption->text + "]";
         if (caption->has_bearing && std::abs(caption->bearing) > 0.5f && std::abs(caption->bearing) < 2.64f) {
             if (caption->bearing < 0.0f) {
@@ -228,9 +233,24 @@ void draw_words(const Canvas& canvas, const HudModel& model) {
                 words += " \xE2\x80\xBA";
             }
         }
-        text(canvas, {text_font(), 16.0f}, canvas.at(middle, y), faded(kIvory, alpha), words, 0.5f);
-        y -= 21.0f * canvas.letters;
+        const ImU32 colour = faded(kIvory, std::min(1.0f, seconds_left(*caption)));
+        const std::vector<std::string> lines =
+            lines_of(words, *text_font(), kSize * canvas.letters, canvas.size.x * 0.9f);
+        for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+            text(canvas, {text_font(), kSize}, canvas.at(canvas.size.x * 0.5f, y), colour, *line, 0.5f);
+            y -= 21.0f * canvas.letters;
+        }
     }
+}
+
+void draw_words(const Canvas& canvas, const HudModel& model) {
+    const float middle = canvas.size.x * 0.5f;
+    if (!model.room.empty() && model.room_age < 4.0f) {
+        const float alpha = std::min({1.0f, model.room_age * 2.0f, 4.0f - model.room_age});
+        text(canvas, {heading_font(), 40.0f}, canvas.at(middle, canvas.size.y * 0.13f),
+             faded(kIvory, alpha * 0.9f), model.room, 0.5f);
+    }
+    draw_captions(canvas, model.captions);
 }
 
 // Under the middle: whoever is caught should see by whom.
@@ -275,22 +295,6 @@ void draw_title(const Window& window, const std::string& words) {
     const float u = canvas->letters;
     canvas->list->AddRectFilled(canvas->at(0.0f, 0.0f), canvas->at(canvas->size.x, 30.0f * u), kNight);
     text(*canvas, {text_font(), 18.0f}, canvas->at(canvas->size.x * 0.5f, 5.0f * u), kIvory, words, 0.5f);
-}
-
-void Captions::add(Caption caption) {
-    // The same again only starts its time anew: a guard's steps, or one stone's way down a stair, must not push everything
-    // else out.
-    const auto same = std::find_if(captions_.begin(), captions_.end(), [&](const Caption& c) {
-        return c.text == caption.text || (!c.subject.empty() && c.subject == caption.subject);
-    });
-    if (same != captions_.end()) captions_.erase(same);
-    captions_.push_back(std::move(caption));
-    if (captions_.size() > kMostCaptions) captions_.erase(captions_.begin());
-}
-
-void Captions::grow_older(float seconds) {
-    for (Caption& caption : captions_) caption.age += seconds;
-    std::erase_if(captions_, [](const Caption& c) { return c.age >= kCaptionSeconds; });
 }
 
 }  // namespace gh::present

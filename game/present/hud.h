@@ -1,6 +1,8 @@
 // present/hud.h - what the player reads while playing. Plain data in, drawing out; it decides nothing.
 #pragma once
 
+#include "present/captions.h"
+
 #include <glm/vec2.hpp>
 
 #include <cstdint>
@@ -21,14 +23,6 @@ struct GuardMark {
     float distance = 0.0f;   // metres
     Mood mood = Mood::Calm;
     std::string cue;  // "saw you in a mirror", "heard you": why it rose
-};
-
-struct Caption {
-    std::string text;
-    std::string subject;  // what makes the sound: one line each, the last; empty: every text has a line of its own
-    float age = 0.0f;  // seconds
-    float bearing = 0.0f;
-    bool has_bearing = false;
 };
 
 struct HudModel {
@@ -60,16 +54,5 @@ void draw_hud(const Window& window, const HudModel& model);
 
 // A line at the top of the picture: what is shown instead of it.
 void draw_title(const Window& window, const std::string& words);
-
-// "Door creaks", newest last, a subject once; at most six that are younger than four seconds stay.
-class Captions {
-  public:
-    void add(Caption caption);
-    void grow_older(float seconds);
-    [[nodiscard]] const std::vector<Caption>& list() const { return captions_; }
-
-  private:
-    std::vector<Caption> captions_;
-};
 
 }  // namespace gh::present

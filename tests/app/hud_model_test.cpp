@@ -49,6 +49,21 @@ TEST_F(HudModelTest, WhoStandsIsNotSaidToWalk) {
     EXPECT_TRUE(model().is_running);
 }
 
+TEST_F(HudModelTest, WhatTheProgramSaysIsReadWithoutCaptionsToo) {
+    now_.state.rules.outcome = world::Outcome::Won;
+    now_.state.noises[0].kind = world::NoiseKind::DoorOpen;
+    now_.state.noise_count = 1;
+    HudReader reader;
+    reader.note_tick(level_, now_);
+    reader.say("this run is not recorded");
+    HudChoices choices;
+    const auto read = [&] { return reader.model(level_, now_, render::Camera(), 1.0f, choices).captions; };
+    ASSERT_EQ(read().size(), 2u);
+    choices.captions = false;
+    ASSERT_EQ(read().size(), 1u);
+    EXPECT_EQ(read()[0].text, "this run is not recorded");
+}
+
 TEST(NoiseWords, AStoneAndAVoiceAreOneLineEachAndDoorsAreMany) {
     const auto subject = [](world::NoiseKind kind) {
         world::Noise noise{};

@@ -1,4 +1,4 @@
-#include "present/hud.h"
+#include "present/captions.h"
 
 #include <gtest/gtest.h>
 
@@ -41,6 +41,18 @@ TEST(Captions, AtMostSixStandAndTheOldestGo) {
     Captions captions;
     for (const char* text : {"a", "b", "c", "d", "e", "f", "g"}) captions.add(caption(text));
     EXPECT_EQ(texts(captions), (std::vector<std::string>{"b", "c", "d", "e", "f", "g"}));
+}
+
+// Subtitles count on fifteen letters a second: ninety are read in six.
+TEST(Captions, LongOnesStayUntilTheyAreRead) {
+    const std::string ninety(90, 'a');
+    Captions captions;
+    captions.add(caption("door opens"));
+    captions.add(caption(ninety.c_str()));
+    captions.grow_older(4.5f);
+    EXPECT_EQ(texts(captions), std::vector<std::string>{ninety});
+    captions.grow_older(1.75f);
+    EXPECT_TRUE(captions.list().empty());
 }
 
 }  // namespace
