@@ -45,9 +45,10 @@ Bsdf::Bsdf(const ShadingPoint& at, const glm::vec3& to_eye, const Border& border
     tint_ = color;
     const float dielectric = sane(at.specular, 0.0f, 1.0f);
     const float head_on = reflectance_head_on(sane(material.ior, 1.0f, 5.0f));
-    f0_ = glm::mix(sane_colour(at.specular_color * head_on) * dielectric, color, metallic);
-    // An index of 1 mirrors nothing at any angle.
-    f90_ = std::min(1.0f, 50.0f * brightest(f0_)) * glm::mix(dielectric, 1.0f, metallic);
+    coat_of_paint_.f0 = sane_colour(at.specular_color * head_on) * dielectric;
+    coat_of_paint_.f90 = grazing_share(coat_of_paint_.f0) * dielectric;
+    gloss_.f0 = glm::mix(coat_of_paint_.f0, color, metallic);
+    gloss_.f90 = glm::mix(coat_of_paint_.f90, grazing_share(color), metallic);
     base_ = color * (1.0f - metallic);
     if (is_drawn_out_) {
         const float stretch = sane(at.anisotropy, 0.0f, 1.0f);
@@ -56,14 +57,22 @@ Bsdf::Bsdf(const ShadingPoint& at, const glm::vec3& to_eye, const Border& border
         is_smooth_ = false;
     }
     if (!is_smooth_) lambda_eye_ = lambda(eye_);
-    weigh_coat();
+    weigh_coat(color, metallic);
     if (material.has_layers) lay_over();
     choose_lobes();
 }
 
-// How the coat's light and the base's are shared, averaged over facets.
-void Bsdf::weigh_coat() {
-    if (!(f90_ > 0.0f)) {
+void Bsdf::add_bounces(Mirrored& mirrored) const {
+    const glm::vec3 f_mean = mirrored.f0 + (glm::vec3(mirrored.f90) - mirrored.f0) / 21.0f;
+    mirrored.multi = f_mean * f_mean * mean_.white / (glm::vec3(1.0f) - f_mean * (1.0f - mean_.white));
+    // The tables know round highlights only; at grazing angles drawn out ones give back up to 2 % more at once.
+    if (is_drawn_out_) mirrored.multi *= 0.5f;
+}
+
+// How the coat's light and the base's are shared, averaged over facets. Half a metal is metal on half of the surface: its
+// gloss is the mean of both, and paint is dimmed by its own coat alone.
+void Bsdf::weigh_coat(const glm::vec3& metal, float metallic) {
+    if (!(gloss_.f90 > 0.0f)) {
         seen_ = mean_ = {};
         return;
     }
@@ -74,13 +83,15 @@ void Bsdf::weigh_coat() {
     } else {
         seen_ = energy_.towards(eye_.z, roughness_);
         mean_ = energy_.mean(roughness_);
-        const glm::vec3 f_mean = f0_ + (glm::vec3(f90_) - f0_) / 21.0f;
-        multi_ = f_mean * f_mean * mean_.white / (glm::vec3(1.0f) - f_mean * (1.0f - mean_.white));
-        // The tables know round highlights only; at grazing angles drawn out ones give back up to 2 % more at once.
-        if (is_drawn_out_) multi_ *= 0.5f;
+        add_bounces(coat_of_paint_);
+        gloss_.multi = coat_of_paint_.multi;
+        if (metallic > 0.0f) {
+            Mirrored of_metal{metal, grazing_share(metal), {}};
+            add_bounces(of_metal);
+            gloss_.multi = glm::mix(coat_of_paint_.multi, of_metal.multi, metallic);
+        }
     }
-    const float out = brightest(mean_.of(f0_, f90_) + multi_ * (1.0f - mean_.white));
-    const float seen = brightest(seen_.of(f0_, f90_) + multi_ * (1.0f - seen_.white));
+    const float out = brightest(coat_of_paint_.of(mean_)), seen = brightest(coat_of_paint_.of(seen_));
     coat_left_ = out < 0.9999f ? std::max(0.0f, 1.0f - seen) / (1.0f - out) : 0.0f;
 }
 
@@ -88,10 +99,10 @@ void Bsdf::choose_lobes() {
     std::array<float, kLobes> share{};
     share[index_of(Lobe::Glass)] = clear_;
     // What the diffuse lobe gives, were everything evenly lit: coat_left_ is relative to the average.
-    const glm::vec3 mean_coat = mean_.of(f0_, f90_) + multi_ * (1.0f - mean_.white);
-    const float diffuse = brightest(base_) * coat_left_ * std::max(0.0f, 1.0f - brightest(mean_coat));
-    const float gloss = f90_ > 0.0f ? brightest(seen_.of(f0_, f90_)) : 0.0f;
-    const float multi = brightest(multi_) * std::max(0.0f, 1.0f - seen_.white);
+    const float let_in = std::max(0.0f, 1.0f - brightest(coat_of_paint_.of(mean_)));
+    const float diffuse = brightest(base_) * coat_left_ * let_in;
+    const float gloss = gloss_.f90 > 0.0f ? brightest(seen_.of(gloss_.f0, gloss_.f90)) : 0.0f;
+    const float multi = brightest(gloss_.multi) * std::max(0.0f, 1.0f - seen_.white);
     share[index_of(Lobe::Diffuse)] = (1.0f - clear_) * diffuse;
     share[index_of(Lobe::Gloss)] = (1.0f - clear_) * gloss;
     share[index_of(Lobe::Multi)] = (1.0f - clear_) * multi;
@@ -119,13 +130,13 @@ void Bsdf::choose_lobes() {
 }
 
 glm::vec3 Bsdf::schlick_at(float cosine) const {
-    return schlick(f0_, f90_, cosine);
+    return schlick(gloss_.f0, gloss_.f90, cosine);
 }
 
 auto Bsdf::incoming(const glm::vec3& direction, const glm::vec3& local) const -> Incoming {
     Incoming in{direction, local, facing_share(direction, local.z), {}};
     const bool is_asked = gives_[index_of(Lobe::Diffuse)] || gives_[index_of(Lobe::Multi)];
-    if (!(in.open > 0.0f) || !is_asked || !(f90_ > 0.0f)) return in;
+    if (!(in.open > 0.0f) || !is_asked || !(gloss_.f90 > 0.0f)) return in;
     if (is_smooth_) {
         const float m = 1.0f - std::min(local.z, 1.0f);
         in.coated = {1.0f, m * m * m * m * m};
@@ -137,8 +148,8 @@ auto Bsdf::incoming(const glm::vec3& direction, const glm::vec3& local) const ->
 
 // What the coat lets in from one side.
 float Bsdf::coat_share(const GlossEnergy::Share& coated) const {
-    if (!(f90_ > 0.0f)) return 1.0f;
-    return std::max(0.0f, 1.0f - brightest(coated.of(f0_, f90_) + multi_ * (1.0f - coated.white)));
+    if (!(coat_of_paint_.f90 > 0.0f)) return 1.0f;
+    return std::max(0.0f, 1.0f - brightest(coat_of_paint_.of(coated)));
 }
 
 // 0 for directions that the triangle itself does not face.
@@ -269,7 +280,8 @@ LobeValue Bsdf::cosine_value(Lobe lobe, const Incoming& in) const {
         result.value = base_ * (coat_left_ * coat_share(in.coated) * even);
     } else {
         const float light = 1.0f - in.coated.white;
-        result.value = multi_ * ((1.0f - seen_.white) * light / std::max(1.0f - mean_.white, 1e-6f) * even);
+        result.value =
+            gloss_.multi * ((1.0f - seen_.white) * light / std::max(1.0f - mean_.white, 1e-6f) * even);
     }
     return result;
 }

@@ -93,7 +93,7 @@ class Bsdf {
 
   private:
     void draw_out();
-    void weigh_coat();
+    void weigh_coat(const glm::vec3& metal, float metallic);
     void choose_lobes();
     // A direction in which light comes in, and what several lobes ask about it.
     struct Incoming {
@@ -139,8 +139,18 @@ class Bsdf {
     float clear_ = 0.0f;  // share of the surface that is glass
     glm::vec3 tint_{1.0f};
     glm::vec3 base_{0.0f};
-    glm::vec3 f0_{0.0f};
-    float f90_ = 0.0f;
+    // What facets mirror: at once, by Schlick, and after more bounces.
+    struct Mirrored {
+        glm::vec3 f0{0.0f};
+        float f90 = 0.0f;
+        glm::vec3 multi{0.0f};
+        [[nodiscard]] glm::vec3 of(const GlossEnergy::Share& share) const {
+            return share.of(f0, f90) + multi * (1.0f - share.white);
+        }
+    };
+    void add_bounces(Mirrored& mirrored) const;
+    Mirrored coat_of_paint_;  // which dims the base; where the surface is metal there is no base
+    Mirrored gloss_;          // of paint and metal by their shares
     float roughness_ = 1.0f;
     float alpha_ = 1.0f;
     bool is_smooth_ = false;
@@ -157,7 +167,6 @@ class Bsdf {
     float lambda_eye_ = 0.0f;
 
     GlossEnergy::Share seen_, mean_;
-    glm::vec3 multi_{0.0f};   // colour of light after more bounces
     float coat_left_ = 1.0f;  // what the coat lets out towards the eye over what it lets out on average
     std::array<float, kLobes> probability_{};
     std::size_t lobes_ =

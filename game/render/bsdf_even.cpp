@@ -26,9 +26,9 @@ void Bsdf::forget_even(BsdfValue& value) {
 
 // The integrals of cosine_value() and sheen_value() over the hemisphere. Layers let as much in as they do head on.
 glm::vec3 Bsdf::even_share() const {
-    const glm::vec3 out = mean_.of(f0_, f90_) + multi_ * (1.0f - mean_.white);
+    const glm::vec3 out = coat_of_paint_.of(mean_);
     const float in = std::max(0.0f, 1.0f - std::max({out.x, out.y, out.z}));
-    glm::vec3 share = (base_ * (coat_left_ * in) + multi_ * (1.0f - seen_.white)) * (1.0f - clear_);
+    glm::vec3 share = (base_ * (coat_left_ * in) + gloss_.multi * (1.0f - seen_.white)) * (1.0f - clear_);
     if (!has_layers_) return share;
     share *= eye_below_ * below_layers(coat_basis_.normal, 1.0f);
     if (sheen_most_ > 0.0f) {
@@ -39,9 +39,8 @@ glm::vec3 Bsdf::even_share() const {
 }
 
 glm::vec3 Bsdf::gloss_albedo() const {
-    glm::vec3 share = (seen_.of(f0_, f90_) * (f90_ > 0.0f ? 1.0f : 0.0f) + multi_ * (1.0f - seen_.white)) *
-                          (1.0f - clear_) +
-                      glm::vec3(clear_);
+    glm::vec3 share = glm::vec3(clear_);
+    if (gloss_.f90 > 0.0f) share += gloss_.of(seen_) * (1.0f - clear_);
     if (!has_layers_) return share;
     // Light comes in through the layers about as steeply as it goes out.
     share = share * (eye_below_ * eye_below_) + glm::vec3(1.0f - eye_below_coat_);

@@ -46,6 +46,11 @@ struct Interface {
     return ratio * ratio;
 }
 
+// What grazing light is mirrored; an index of 1 mirrors nothing at any angle.
+[[nodiscard]] inline float grazing_share(const glm::vec3& f0) {
+    return std::min(1.0f, 50.0f * std::max({f0.x, f0.y, f0.z}));
+}
+
 // Schlick's approximation, as glTF asks for. `f90` is what grazing light sees.
 [[nodiscard]] inline glm::vec3 schlick(const glm::vec3& f0, float f90, float cosine) {
     const float m = std::clamp(1.0f - cosine, 0.0f, 1.0f);

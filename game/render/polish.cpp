@@ -1,6 +1,6 @@
 #include "render/polish.h"
 
-#include "render/colour.h"
+#include "render/fresnel.h"
 
 #include <glm/common.hpp>
 
@@ -29,7 +29,7 @@ Polish polish_of(const GlossTable& gloss, const glm::vec3& f0, float metallic, f
                  float cos_eye) {
     Polish polish;
     polish.f0 = f0;
-    polish.f90 = std::min(1.0f, 50.0f * brightest(f0));  // an index of 1 mirrors nothing at any angle
+    polish.f90 = grazing_share(f0);
     polish.glossy = gloss.albedo(f0, polish.f90, cos_eye, roughness);
     polish.ray_share = 1.0f - smooth_step(glm::mix(kRayBelow, kMetalRayBelow, metallic),
                                           glm::mix(kDullDielectric, kNoMetalRayAbove, metallic), roughness);

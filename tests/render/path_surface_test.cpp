@@ -113,6 +113,38 @@ TEST(PathSurface, NoSurfaceGivesMoreThanItGets) {
 }
 
 // A white base below a coat loses only what the coat's edges hide.
+// glTF mixes what a metal and what a paint do, and so do edges in textures: half a metal gives back the mean of both. Paint
+// dimmed by the mean's gloss gave a quarter too little.
+TEST(PathSurface, HalfAMetalIsTheMeanOfMetalAndPaint) {
+    const glm::vec3 color(0.8f, 0.5f, 0.3f);
+    const auto gives = [&](float metallic, float roughness, float cos_eye, const glm::vec3& light) {
+        world::Material material;
+        material.base_color = glm::vec4(color, 1.0f);
+        material.metallic = metallic;
+        material.roughness = roughness;
+        const render::ShadingPoint at = facing_z(material);
+        const Bsdf bsdf(at, tilted(cos_eye), {}, energy());
+        glm::vec3 sum(0.0f);
+        for (const render::LobeValue& lobe : bsdf.value(light)) sum += lobe.value;
+        return sum;
+    };
+    for (const float roughness : {0.0f, 0.3f, 1.0f}) {
+        for (const float cos_eye : {0.2f, 0.9f}) {
+            for (const glm::vec3& light : {tilted(0.3f, 1.0f), tilted(0.8f, 2.5f)}) {
+                const glm::vec3 paint = gives(0.0f, roughness, cos_eye, light),
+                                metal = gives(1.0f, roughness, cos_eye, light);
+                for (const float metallic : {0.25f, 0.5f, 0.9f}) {
+                    const glm::vec3 mean = glm::mix(paint, metal, metallic),
+                                    found = gives(metallic, roughness, cos_eye, light);
+                    for (glm::length_t i = 0; i < 3; ++i)  // roundings
+                        EXPECT_NEAR(found[i], mean[i], 1e-5f * (1.0f + mean[i]))
+                            << roughness << " " << metallic;
+                }
+            }
+        }
+    }
+}
+
 TEST(PathSurface, AWhiteBaseUnderACoatLosesNothingOnAverage) {
     for (const float roughness : {0.0f, 0.1f, 0.4f, 1.0f}) {
         world::Material material;
