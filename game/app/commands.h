@@ -4,6 +4,7 @@
 
 #include "app/options.h"
 #include "base/result.h"
+#include "world/level.h"
 
 namespace gh::app {
 
@@ -18,6 +19,9 @@ inline constexpr int kExitDiverged = 3;
 
 // "glasshouse: SENTENCE" on stderr; returns kExitUnusable.
 [[nodiscard]] int refuse(const Error& error);
+
+// What was odd in the level's file, a line each on stderr.
+void tell(const world::Level& level);
 
 void apply(const MachineOptions& machine);
 

@@ -36,9 +36,12 @@ int render(const RenderOptions& options) {
 
     const auto path = resolve_level(options.scene);
     if (!path) return refuse(path.error());
-    auto loaded = load::load_level(*path, {.finds_ways = false});
+    // Who brings a sky needs no sun.
+    const bool has_sky = light_paths(options.renderer.renderer) && !options.renderer.sky.empty();
+    auto loaded = load::load_level(*path, {.finds_ways = false, .hangs_sun = !has_sky});
     if (!loaded) return refuse(loaded.error());
     const auto level = std::make_shared<const world::Level>(*std::move(loaded));
+    tell(*level);
 
     std::unique_ptr<spatial::Stage> stage;
     jobs.run_in([&] { stage = std::make_unique<spatial::Stage>(level); });

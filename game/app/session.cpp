@@ -23,6 +23,7 @@ Result<Session> open_session(const std::filesystem::path& level_path, std::uint3
     session.level_path = level_path;
     session.jobs = std::make_unique<Jobs>(machine.threads);
     session.level = std::make_shared<const world::Level>(*std::move(loaded));
+    tell(*session.level);
     session.restart(seed);
     return session;
 }

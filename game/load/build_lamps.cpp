@@ -1,6 +1,7 @@
 // Lamps: the file's punctual lights, meshes that are lamps, meshes that only glow.
 #include "base/det_math.h"
 #include "load/gltf_extras.h"
+#include "load/gltf_numbers.h"
 #include "load/level_build.h"
 #include "load/mesh_lamps.h"
 
@@ -14,6 +15,8 @@ namespace {
 // What glTF gives in lumens the game counts in watts, at the rate Blender's exporter turned watts into
 // lumens.
 constexpr double kLumensPerWatt = 683.0;
+constexpr double kMostCandela = 1.0e9 * kLumensPerWatt;
+constexpr Range kColors{0.0, 1.0e3};  // exporters know lamps that are redder than red
 
 int light_of(const tinygltf::Node& node) {
     const auto extension = node.extensions.find("KHR_lights_punctual");
@@ -22,7 +25,14 @@ int light_of(const tinygltf::Node& node) {
     return light.IsNumber() ? light.GetNumberAsInt() : -1;
 }
 
-Result<world::Lamp> punctual_lamp(const LevelBuild& build, std::uint32_t id, int light_id) {
+void read_cone(const tinygltf::SpotLight& spot, const NumberReader& numbers, world::Lamp& lamp) {
+    constexpr double kRightAngle = 1.5707963267948966;
+    const double outer = numbers.nearest("outerConeAngle", spot.outerConeAngle, {1.0e-3, kRightAngle});
+    lamp.cos_outer = det::cos(static_cast<float>(outer));
+    lamp.cos_inner = det::cos(numbers.within("innerConeAngle", spot.innerConeAngle, {0.0, outer}));
+}
+
+Result<world::Lamp> punctual_lamp(LevelBuild& build, std::uint32_t id, int light_id) {
     if (light_id < 0 || static_cast<std::size_t>(light_id) >= build.model.lights.size()) {
         return Error{fmt::format("light {} does not exist", light_id)};
     }
@@ -35,24 +45,27 @@ Result<world::Lamp> punctual_lamp(const LevelBuild& build, std::uint32_t id, int
     else if (light.type == "directional")
         lamp.shape = world::LampShape::Sun;
     else
-        return at_node(build, id, fmt::format("there is no light of type '{}'", light.type));
+        return Error{fmt::format("there is no light of type '{}'", light.type)};
 
     const Pose pose = pose_of(build.tree.world_from_node[id]);
     lamp.name = build.node(id).name;
     lamp.position = glm::vec3(pose.position);
     lamp.direction = glm::vec3(pose.rotation * glm::dvec3(0.0, 0.0, -1.0));
+    const NumberReader numbers(node_name(build.model, id), build.level.remarks);
+    const double intensity = numbers.nearest("intensity", light.intensity, {0.0, kMostCandela});
     for (std::size_t i = 0; i < 3; ++i) {
-        const double color = i < light.color.size() ? light.color[i] : 1.0;
-        const double watts = std::clamp(light.intensity * color / kLumensPerWatt, 0.0, 1.0e9);
-        lamp.intensity[static_cast<glm::length_t>(i)] = static_cast<float>(watts);
+        const double color = i < light.color.size()
+                                 ? numbers.nearest(fmt::format("color[{}]", i), light.color[i], kColors)
+                                 : 1.0;
+        lamp.intensity[static_cast<glm::length_t>(i)] =
+            static_cast<float>(std::min(intensity * color / kLumensPerWatt, 1.0e9));
     }
-    constexpr double kRightAngle = 1.5707963267948966;
-    const double outer = std::clamp(light.spot.outerConeAngle, 1.0e-3, kRightAngle);
-    lamp.cos_outer = det::cos(static_cast<float>(outer));
-    lamp.cos_inner = det::cos(static_cast<float>(std::clamp(light.spot.innerConeAngle, 0.0, outer)));
+    if (lamp.shape == world::LampShape::Spot) read_cone(light.spot, numbers, lamp);
     lamp.range = range_of(lamp);
     if (light.range > 0.0)
         lamp.range = std::min(lamp.range, static_cast<float>(std::min(light.range, 1.0e9)));
+    else if (light.range < 0.0)
+        numbers.remark(fmt::format("range {} is no distance and is passed over", light.range));
     return lamp;
 }
 

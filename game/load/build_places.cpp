@@ -1,6 +1,7 @@
 // Places: where one starts, stands, leaves and looks from, and the switches on the walls.
 #include "base/det_math.h"
 #include "load/gltf_extras.h"
+#include "load/gltf_numbers.h"
 #include "load/level_build.h"
 #include "load/part_geometry.h"
 
@@ -74,8 +75,12 @@ Result<void> add_viewpoint(LevelBuild& build, std::uint32_t id, int camera_id) {
     view.position = position_of(build, id);
     view.yaw = yaw_of(world_from_camera);
     view.pitch = pitch_of(world_from_camera);
+    view.roll = roll_of(world_from_camera);
+    const NumberReader numbers(fmt::format("camera '{}'", view.name), build.level.remarks);
     if (camera.type == "perspective") {
-        view.fov_y = static_cast<float>(std::clamp(camera.perspective.yfov, 0.01, 3.0));
+        view.fov_y = numbers.within("yfov", camera.perspective.yfov, {0.01, 3.0});
+    } else {
+        numbers.remark("is orthographic, and shown in perspective");
     }
     build.level.viewpoints.push_back(std::move(view));
     return {};

@@ -36,8 +36,9 @@ Result<void> check_mesh(const world::Level& level, const world::Mesh& mesh) {
     };
     const std::size_t vertices = mesh.positions.size();
     if (mesh.normals.size() != vertices || !has_length_or_none(mesh.uvs, vertices) ||
-        !has_length_or_none(mesh.tangents, vertices) || !has_length_or_none(mesh.joints, vertices) ||
-        mesh.joints.size() != mesh.weights.size() || mesh.materials.size() != mesh.triangles.size()) {
+        !has_length_or_none(mesh.tangents, vertices) || !has_length_or_none(mesh.colors, vertices) ||
+        !has_length_or_none(mesh.joints, vertices) || mesh.joints.size() != mesh.weights.size() ||
+        mesh.materials.size() != mesh.triangles.size()) {
         return refuse("has attributes of unequal length");
     }
     for (const glm::vec3& position : mesh.positions) {
@@ -76,9 +77,10 @@ Result<void> check_material(const world::Level& level, const world::Material& ma
     const world::Layers& layers = material.layers;
     for (const std::uint32_t texture :
          {material.base_color_texture, material.metallic_roughness_texture, material.normal_texture,
-          material.emission_texture, layers.specular_texture, layers.specular_color_texture,
-          layers.coat_texture, layers.coat_roughness_texture, layers.sheen_color_texture,
-          layers.sheen_roughness_texture, layers.anisotropy_texture}) {
+          material.emission_texture, material.transmission_texture, layers.specular_texture,
+          layers.specular_color_texture, layers.coat_texture, layers.coat_roughness_texture,
+          layers.coat_normal_texture, layers.sheen_color_texture, layers.sheen_roughness_texture,
+          layers.anisotropy_texture}) {
         if (!is_index_or_none(texture, level.textures.size())) {
             return Error{fmt::format("material '{}' has a texture that does not exist", material.name)};
         }

@@ -11,7 +11,7 @@ namespace gh::load {
 // Cost: builds trees over everything solid.
 [[nodiscard]] world::Spawn find_spawn(const world::Level& level);
 
-// When nothing lights the place: its emissive panels and bulbs become lamps, and where there are none, a sun.
-void add_missing_light(LevelBuild& build);
+// When nothing lights the place: its emissive panels and bulbs become lamps, and where there are none, a sun, if one is to be hung.
+void add_missing_light(LevelBuild& build, bool hangs_sun);
 
 }  // namespace gh::load

@@ -23,13 +23,14 @@ constexpr std::size_t kMostFused = 4'000'000;  // triangles in all
 // Parts are fused with those of the same layers whose vertices carry the same things.
 struct Alike {
     rc::LayerMask layers;
-    bool has_normals, has_uvs, has_tangents;
+    bool has_normals, has_uvs, has_tangents, has_colors;
 
     bool operator==(const Alike&) const = default;
 };
 
 Alike alike(const world::Part& part, const world::Mesh& mesh) {
-    return {part.layers, !mesh.normals.empty(), !mesh.uvs.empty(), !mesh.tangents.empty()};
+    return {part.layers, !mesh.normals.empty(), !mesh.uvs.empty(), !mesh.tangents.empty(),
+            !mesh.colors.empty()};
 }
 
 std::vector<std::uint8_t> parts_to_fuse(const world::Level& level) {
@@ -70,6 +71,7 @@ void append(world::Mesh& whole, const world::Mesh& mesh, const glm::mat4x3& to_w
     for (const glm::vec3& p : mesh.positions) whole.positions.push_back(transform_point(to_world, p));
     for (const glm::vec3& n : mesh.normals) whole.normals.push_back(turned_or(cofactor * n * outwards, n));
     whole.uvs.insert(whole.uvs.end(), mesh.uvs.begin(), mesh.uvs.end());
+    whole.colors.insert(whole.colors.end(), mesh.colors.begin(), mesh.colors.end());
     for (const glm::vec4& t : mesh.tangents) {
         const glm::vec3 along = turned_or(turn * glm::vec3(t), glm::vec3(t));
         whole.tangents.emplace_back(along, is_mirrored ? -t.w : t.w);

@@ -16,12 +16,16 @@ namespace {
 
 // What we can do without, or do. A file that requires anything else would be shown wrongly, so it is refused.
 constexpr std::array<std::string_view, 12> kKnownExtensions{
-    "KHR_lights_punctual",     "KHR_materials_emissive_strength",
-    "KHR_materials_ior",       "KHR_materials_transmission",
-    "KHR_materials_volume",    "KHR_materials_specular",
-    "KHR_texture_transform",   "KHR_mesh_quantization",
-    "KHR_materials_clearcoat", "KHR_materials_sheen",
+    "KHR_lights_punctual",      "KHR_materials_emissive_strength",
+    "KHR_materials_ior",        "KHR_materials_transmission",
+    "KHR_materials_volume",     "KHR_materials_specular",
+    "KHR_texture_transform",    "KHR_mesh_quantization",
+    "KHR_materials_clearcoat",  "KHR_materials_sheen",
     "KHR_materials_anisotropy", "KHR_materials_unlit"};
+
+bool is_read(const std::string& extension) {
+    return std::find(kKnownExtensions.begin(), kKnownExtensions.end(), extension) != kKnownExtensions.end();
+}
 
 // Side files: below one folder, and together no larger than the limit.
 struct SideFiles {
@@ -103,10 +107,8 @@ Result<void> check_model(const tinygltf::Model& model) {
         return Error{fmt::format("is glTF version '{}', only 2.x is read", model.asset.version)};
     }
     for (const std::string& extension : model.extensionsRequired) {
-        if (std::find(kKnownExtensions.begin(), kKnownExtensions.end(), extension) ==
-            kKnownExtensions.end()) {
+        if (!is_read(extension))
             return Error{fmt::format("requires the extension {}, which is not read", extension)};
-        }
     }
     return {};
 }
@@ -133,6 +135,14 @@ Result<tinygltf::Model> parse_gltf(std::span<const std::byte> bytes, const std::
     if (!is_parsed) return Error{one_line(files.refusal.empty() ? error : files.refusal)};
     if (const Result<void> check = check_model(model); !check) return check.error();
     return model;
+}
+
+std::vector<std::string> unread_extensions(const tinygltf::Model& model) {
+    std::vector<std::string> unread;
+    for (const std::string& extension : model.extensionsUsed) {
+        if (!is_read(extension)) unread.push_back(extension);
+    }
+    return unread;
 }
 
 std::string name_or_number(const std::string& name, std::size_t number) {

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace gh::load {
 
@@ -17,6 +18,9 @@ namespace gh::load {
 // External files are looked for in `base_dir` and below it only.
 [[nodiscard]] Result<tinygltf::Model> parse_gltf(std::span<const std::byte> bytes,
                                                  const std::filesystem::path& base_dir);
+
+// What the file uses and could be read without, that is passed over.
+[[nodiscard]] std::vector<std::string> unread_extensions(const tinygltf::Model& model);
 
 // "'Wall'", or "number 7" for what has no name: how sentences name a thing of the file.
 [[nodiscard]] std::string name_or_number(const std::string& name, std::size_t number);

@@ -1,6 +1,6 @@
 // load/gltf_materials.h - glTF materials with the extensions world/level.h names, and where their uvs go.
 //
-// Bad input  factors outside their range are clamped to it; textures that do not exist or cannot be decoded
+// Bad input  factors outside their range count as the nearest in it, with a remark; textures that do not exist or cannot be decoded
 //            give a sentence.
 #pragma once
 
@@ -11,6 +11,7 @@
 #include <glm/mat3x2.hpp>
 #include <tiny_gltf.h>
 
+#include <string>
 #include <vector>
 
 namespace gh::load {
@@ -26,6 +27,7 @@ struct UvUse {
 struct MaterialSet {
     std::vector<world::Material> materials;  // one more than the file's: the last is for what has none
     std::vector<UvUse> uvs;                  // as many
+    std::vector<std::string> remarks;        // what made no sense and was taken for something else
 
     // Of a primitive's material index, -1 included.
     [[nodiscard]] std::size_t index_of(int gltf_material) const {

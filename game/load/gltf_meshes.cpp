@@ -28,6 +28,7 @@ void append_vertices(const Primitive& from, world::Mesh& to) {
     to.normals.insert(to.normals.end(), from.normals.begin(), from.normals.end());
     append(to.uvs, from.uvs, before, added, glm::vec2(0.0f));
     append(to.tangents, from.tangents, before, added, glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
+    append(to.colors, from.colors, before, added, glm::vec4(1.0f));
     append(to.joints, from.joints, before, added, glm::u16vec4(0));
     append(to.weights, from.weights, before, added, glm::vec4(1.0f, 0.0f, 0.0f, 0.0f));
 }
@@ -66,6 +67,9 @@ Result<world::Mesh> MeshSet::read(int gltf_mesh, Which which) {
             return refuse(fmt::format("material {} does not exist", material));
         if (which != Which::All && is_glass(primitive) != (which == Which::Glass)) continue;
         const UvUse& uvs = materials_.uvs[material];
+        if (uvs.set != 0 && primitive.attributes.count(fmt::format("TEXCOORD_{}", uvs.set)) == 0)
+            remarks_.push_back(
+                refuse(fmt::format("has no TEXCOORD_{}, and TEXCOORD_0 is taken", uvs.set)).sentence);
         const Result<Primitive> read =
             read_primitive(model_, primitive, uvs, {kMaxVertices - vertices_, kMaxTriangles - triangles_});
         if (!read) return refuse(read.error().sentence);

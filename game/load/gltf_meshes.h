@@ -38,6 +38,8 @@ class MeshSet {
 
     [[nodiscard]] const world::Mesh& mesh(std::uint32_t id) const { return meshes_[id]; }
     [[nodiscard]] std::size_t size() const { return meshes_.size(); }
+    // What was missing and is done without.
+    [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
     [[nodiscard]] std::vector<world::Mesh> take() { return std::move(meshes_); }
 
   private:
@@ -49,6 +51,7 @@ class MeshSet {
     const tinygltf::Model& model_;
     const MaterialSet& materials_;
     std::vector<world::Mesh> meshes_;
+    std::vector<std::string> remarks_;
     std::map<std::pair<int, Split>, MeshPieces> known_;
     std::size_t vertices_ = 0;
     std::size_t triangles_ = 0;

@@ -4,6 +4,7 @@
 #include "load/limits.h"
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -34,6 +35,23 @@ Result<void> read_attribute(const tinygltf::Model& model, const tinygltf::Primit
     return {};
 }
 
+// With or without alpha; none takes light away.
+Result<std::vector<glm::vec4>> read_colors(const tinygltf::Model& model, int accessor) {
+    const auto id = static_cast<std::size_t>(accessor);
+    std::vector<glm::vec4> colors;
+    if (id < model.accessors.size() && model.accessors[id].type == TINYGLTF_TYPE_VEC3) {
+        const Result<std::vector<glm::vec3>> opaque = read_vec3s(model, accessor);
+        if (!opaque) return opaque.error();
+        for (const glm::vec3& color : *opaque) colors.emplace_back(color, 1.0f);
+    } else {
+        Result<std::vector<glm::vec4>> clear = read_vec4s(model, accessor);
+        if (!clear) return clear.error();
+        colors = std::move(*clear);
+    }
+    for (glm::vec4& color : colors) color = glm::max(color, glm::vec4(0.0f));
+    return colors;
+}
+
 Result<void> read_vertices(const tinygltf::Model& model, const tinygltf::Primitive& from, const UvUse& uvs,
                            const PrimitiveBudget& budget, Primitive& to) {
     const int position = attribute(from, "POSITION");
@@ -52,6 +70,7 @@ Result<void> read_vertices(const tinygltf::Model& model, const tinygltf::Primiti
     if (auto r = read_attribute(model, from, "NORMAL", &read_vec3s, count, to.normals); !r) return r;
     if (auto r = read_attribute(model, from, uv_name, &read_vec2s, count, to.uvs); !r) return r;
     if (auto r = read_attribute(model, from, "TANGENT", &read_vec4s, count, to.tangents); !r) return r;
+    if (auto r = read_attribute(model, from, "COLOR_0", &read_colors, count, to.colors); !r) return r;
     if (auto r = read_attribute(model, from, "JOINTS_0", &read_joints, count, to.joints); !r) return r;
     if (auto r = read_attribute(model, from, "WEIGHTS_0", &read_vec4s, count, to.weights); !r) return r;
     if (to.joints.empty() != to.weights.empty())
@@ -130,6 +149,7 @@ void give_corners_their_own(const std::vector<glm::uvec3>& triangles, std::vecto
 void make_flat_normals(Primitive& primitive) {
     give_corners_their_own(primitive.triangles, primitive.positions);
     give_corners_their_own(primitive.triangles, primitive.uvs);
+    give_corners_their_own(primitive.triangles, primitive.colors);
     give_corners_their_own(primitive.triangles, primitive.joints);
     give_corners_their_own(primitive.triangles, primitive.weights);
     primitive.tangents.clear();  // glTF: ignored where there are no normals

@@ -23,6 +23,7 @@ struct Primitive {
     std::vector<glm::vec3> normals;  // unit
     std::vector<glm::vec2> uvs;
     std::vector<glm::vec4> tangents;
+    std::vector<glm::vec4> colors;
     std::vector<glm::u16vec4> joints;  // of the skin, as in the file
     std::vector<glm::vec4> weights;    // sum to 1
     std::vector<glm::uvec3> triangles;

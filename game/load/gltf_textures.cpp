@@ -23,11 +23,11 @@ world::Wrap to_wrap(int gltf_wrap) {
 
 }  // namespace
 
-Result<std::uint32_t> TextureSet::use(int gltf_texture) {
-    if (gltf_texture < 0) return world::kNoIndex;
+Result<std::uint32_t> TextureSet::use(int gltf_texture, bool is_color) {
+    if (gltf_texture == -1) return world::kNoIndex;
     const auto texture_id = static_cast<std::size_t>(gltf_texture);
-    if (texture_id >= model_.textures.size())
-        return Error{fmt::format("texture {} does not exist", texture_id)};
+    if (gltf_texture < 0 || texture_id >= model_.textures.size())
+        return Error{fmt::format("texture {} does not exist", gltf_texture)};
     const tinygltf::Texture& texture = model_.textures[texture_id];
     if (texture.source < 0 || static_cast<std::size_t>(texture.source) >= model_.images.size()) {
         return Error{fmt::format("texture {} has no picture", texture_id)};
@@ -40,7 +40,7 @@ Result<std::uint32_t> TextureSet::use(int gltf_texture) {
         u = to_wrap(model_.samplers[sampler_id].wrapS);
         v = to_wrap(model_.samplers[sampler_id].wrapT);
     }
-    const auto key = std::make_tuple(texture.source, u, v);
+    const auto key = std::make_tuple(texture.source, u, v, is_color);
     if (const auto known = known_.find(key); known != known_.end()) return known->second;
 
     Result<world::Texture> decoded = decode(static_cast<std::size_t>(texture.source));

@@ -19,8 +19,9 @@ class TextureSet {
   public:
     explicit TextureSet(const tinygltf::Model& model) : model_(model) {}
 
-    // The Level's texture for a glTF texture index; kNoIndex for -1.
-    [[nodiscard]] Result<std::uint32_t> use(int gltf_texture);
+    // The Level's texture for a glTF texture index; kNoIndex for -1. Of a picture used for colours here and for numbers
+    // there, which are encoded otherwise, there are two.
+    [[nodiscard]] Result<std::uint32_t> use(int gltf_texture, bool is_color);
     [[nodiscard]] std::vector<world::Texture> take() { return std::move(textures_); }
 
   private:
@@ -28,7 +29,8 @@ class TextureSet {
 
     const tinygltf::Model& model_;
     std::vector<world::Texture> textures_;
-    std::map<std::tuple<int, world::Wrap, world::Wrap>, std::uint32_t> known_;  // picture and wrapping
+    // By picture, wrapping, and whether it holds colours.
+    std::map<std::tuple<int, world::Wrap, world::Wrap, bool>, std::uint32_t> known_;
     std::size_t bytes_ = 0;
 };
 

@@ -64,7 +64,7 @@ bool has_spawn(const LevelBuild& build) {
     return false;
 }
 
-Result<world::Level> build_level(const tinygltf::Model& model) {
+Result<world::Level> build_level(const tinygltf::Model& model, const LoadOptions& options) {
     TextureSet textures(model);
     Result<MaterialSet> materials = read_materials(model, textures);
     if (!materials) return materials.error();
@@ -78,9 +78,13 @@ Result<world::Level> build_level(const tinygltf::Model& model) {
     build.level.origin = build.tree.origin;
     build.level.bounds = bounds_of_parts(build);
     if (build.level.bounds.min.x > build.level.bounds.max.x) return Error{"has no triangles"};
-    add_missing_light(build);
+    add_missing_light(build, options.hangs_sun);
     const bool needs_spawn = !has_spawn(build);
     world::Level level = std::move(build.level);
+    level.remarks.insert(level.remarks.begin(), materials->remarks.begin(), materials->remarks.end());
+    for (const std::string& extension : unread_extensions(model))
+        level.remarks.push_back(fmt::format("uses the extension {}, which is not read", extension));
+    level.remarks.insert(level.remarks.end(), build.meshes.remarks().begin(), build.meshes.remarks().end());
     level.meshes = build.meshes.take();
     level.materials = std::move(materials->materials);
     level.textures = textures.take();
@@ -90,10 +94,11 @@ Result<world::Level> build_level(const tinygltf::Model& model) {
     return level;
 }
 
-Result<world::Level> read_level(std::span<const std::byte> bytes, const std::filesystem::path& base_dir) {
+Result<world::Level> read_level(std::span<const std::byte> bytes, const std::filesystem::path& base_dir,
+                                const LoadOptions& options) {
     const Result<tinygltf::Model> model = parse_gltf(bytes, base_dir);
     if (!model) return model.error();
-    Result<world::Level> level = build_level(*model);
+    Result<world::Level> level = build_level(*model, options);
     if (level) level->file_hash = hash_of(bytes, *model);
     return level;
 }
@@ -131,7 +136,7 @@ struct Origin {
 Result<world::Level> load_named(std::span<const std::byte> bytes, const Origin& origin,
                                 const LoadOptions& options) {
     try {
-        Result<world::Level> level = read_level(bytes, origin.base_dir);
+        Result<world::Level> level = read_level(bytes, origin.base_dir, options);
         if (!level) return in_file(origin.name, level.error());
         level->name = std::filesystem::path(origin.name).stem().string();
         if (options.finds_ways) add_ways(origin.navmesh_file, *level);

@@ -24,6 +24,7 @@ struct LoadOptions {
     bool finds_ways = true;  // false: no navmesh is read or baked, which a picture does not need
     // Parts that stand still become one, for speed (fuse_parts.h). False: parts are the file's nodes.
     bool fuses_parts = true;
+    bool hangs_sun = true;  // where nothing shines
 };
 
 // Reads .glb or .gltf (told apart by content). A navmesh beside it (foyer.glb: foyer.navmesh) is used when it

@@ -27,7 +27,7 @@ std::vector<bool> plainly_shining_meshes(const LevelBuild& build) {
 
 }  // namespace
 
-void add_missing_light(LevelBuild& build) {
+void add_missing_light(LevelBuild& build, bool hangs_sun) {
     if (!build.level.lamps.empty()) return;
     constexpr std::size_t kMostFound =
         64;  // a chandelier of emissive beads would be more than anyone can sample
@@ -37,7 +37,7 @@ void add_missing_light(LevelBuild& build) {
         std::optional<world::Lamp> lamp = lamp_of_part(build, i, MeshLampShape::Either);
         if (lamp) build.level.lamps.push_back(std::move(*lamp));
     }
-    if (!build.level.lamps.empty()) return;
+    if (!build.level.lamps.empty() || !hangs_sun) return;
     world::Lamp sun;
     sun.name = "(sun)";
     sun.shape = world::LampShape::Sun;

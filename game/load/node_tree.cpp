@@ -196,6 +196,18 @@ float pitch_of(const glm::dmat4& world_from_node) {
     return det::atan2(static_cast<float>(-back.y), static_cast<float>(across));
 }
 
+float roll_of(const glm::dmat4& world_from_node) {
+    const glm::dvec3 back = glm::normalize(glm::dvec3(world_from_node[2]));
+    const det::SinCos yaw = det::sin_cos(yaw_of(world_from_node));
+    const glm::dvec3 level_right(yaw.cos, 0.0, -yaw.sin);
+    const glm::dvec3 level_up = glm::cross(back, level_right);
+    const glm::dvec3 right(world_from_node[0]);
+    const float roll = det::atan2(static_cast<float>(glm::dot(right, level_up)),
+                                  static_cast<float>(glm::dot(right, level_right)));
+    constexpr float kLevel = 1.0e-4f;  // what exporters' rounding leaves of a level one
+    return std::abs(roll) > kLevel ? roll : 0.0f;
+}
+
 glm::mat4x3 to_affine(const glm::dmat4& matrix) {
     return glm::mat4x3(glm::mat4(matrix));
 }

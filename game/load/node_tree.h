@@ -47,10 +47,11 @@ struct Pose {
 };
 [[nodiscard]] Pose pose_of(const glm::dmat4& world_from_node);
 
-// The direction of a node's own -Z as a heading: 0 faces world -z, positive turns left. And its pitch, up
-// positive.
+// The direction of a node's own -Z as a heading: 0 faces world -z, positive turns left. Its pitch, up positive; and how
+// far it leans to its left, exactly 0 if by no more than exporters' rounding.
 [[nodiscard]] float yaw_of(const glm::dmat4& world_from_node);
 [[nodiscard]] float pitch_of(const glm::dmat4& world_from_node);
+[[nodiscard]] float roll_of(const glm::dmat4& world_from_node);
 
 [[nodiscard]] glm::mat4x3 to_affine(const glm::dmat4& matrix);
 [[nodiscard]] glm::dmat4 from_affine(const glm::mat4x3& matrix);

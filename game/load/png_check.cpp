@@ -43,6 +43,8 @@ std::optional<std::string> find_png_damage(std::span<const unsigned char> bytes)
         const std::string_view type(reinterpret_cast<const char*>(type_and_data.data()), 4);
         if (big_endian(rest.subspan(8 + size)) != crc_of(type_and_data)) return "a check sum is wrong";
         if (is_first && (type != "IHDR" || size != 13)) return "its header is missing";
+        if (is_first && (big_endian(rest.subspan(8)) == 0 || big_endian(rest.subspan(12)) == 0))
+            return "it has no pixels";
         if (type == "IEND") return std::nullopt;
         is_first = false;
         rest = rest.subspan(kAround + size);

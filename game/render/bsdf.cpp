@@ -41,10 +41,11 @@ Bsdf::Bsdf(const ShadingPoint& at, const glm::vec3& to_eye, const Border& border
     roughness_ = sane(at.roughness, 0.0f, 1.0f);
     alpha_ = roughness_ * roughness_;
     is_smooth_ = alpha_ < kSmoothAlpha;
-    clear_ = sane(material.transmission, 0.0f, 1.0f) * (1.0f - metallic);
+    clear_ = sane(at.transmission, 0.0f, 1.0f) * (1.0f - metallic);
     tint_ = color;
     const float dielectric = sane(at.specular, 0.0f, 1.0f);
-    const float head_on = reflectance_head_on(sane(material.ior, 1.0f, 5.0f));
+    // An index of 0 mirrors all, head on as well: glTF's word for a colour of reflection that is meant as it is.
+    const float head_on = material.ior == 0.0f ? 1.0f : reflectance_head_on(sane(material.ior, 1.0f, 5.0f));
     coat_of_paint_.f0 = sane_colour(at.specular_color * head_on) * dielectric;
     coat_of_paint_.f90 = grazing_share(coat_of_paint_.f0) * dielectric;
     gloss_.f0 = glm::mix(coat_of_paint_.f0, color, metallic);

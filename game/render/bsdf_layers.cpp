@@ -25,9 +25,9 @@ void Bsdf::lay_over() {
     sheen_most_ = std::max({sheen_color_.x, sheen_color_.y, sheen_color_.z});
     has_layers_ = coat_ > 0.0f || sheen_most_ > 0.0f;
     if (!has_layers_) return;
-    // Varnish fills the bumps of a normal map.
+    // Varnish fills the bumps of a normal map, and may have its own.
     coat_roughness_ = sane(at_.coat_roughness, kSmoothestCoat, 1.0f);
-    coat_basis_ = basis_around(at_.smooth);
+    coat_basis_ = basis_around(at_.coat_normal);
     coat_eye_ = coat_basis_.local_from_world(to_eye_);
     coat_eye_.z = std::max(coat_eye_.z, 1e-4f);
     eye_below_coat_ = below_coat(to_eye_);

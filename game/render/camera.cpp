@@ -15,6 +15,7 @@ Camera camera_from(const world::Viewpoint& viewpoint) {
     return {.position = viewpoint.position,
             .yaw = viewpoint.yaw,
             .pitch = viewpoint.pitch,
+            .roll = viewpoint.roll,
             .fov_y = viewpoint.fov_y};
 }
 

@@ -1,8 +1,11 @@
 #include "render/clear_mesh.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -11,21 +14,45 @@ namespace gh::render {
 
 namespace {
 
-bool is_before(const glm::vec3& a, const glm::vec3& b) {
-    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+constexpr float kSamePlace = 4e-7f;  // of the mesh's extent: sin(2 pi) is not 0 where a seam was computed
+
+// Along one axis: the number of the first value that lies no more than `reach` below each.
+std::vector<std::uint32_t> steps_along(const std::vector<glm::vec3>& positions, glm::length_t axis,
+                                       float reach) {
+    std::vector<std::uint32_t> order(positions.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return std::tie(positions[a][axis], a) < std::tie(positions[b][axis], b);
+    });
+    std::vector<std::uint32_t> steps(positions.size());
+    std::uint32_t first = 0;
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
+        if (positions[order[i]][axis] - positions[order[first]][axis] > reach) first = i;
+        steps[order[i]] = first;
+    }
+    return steps;
 }
 
 // For every vertex the first of those at the same place.
 std::vector<std::uint32_t> welded(const std::vector<glm::vec3>& positions) {
+    glm::vec3 low(rc::kInfinity), high(-rc::kInfinity);
+    for (const glm::vec3& p : positions) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    const glm::vec3 size = high - low;
+    const float reach = kSamePlace * std::max({size.x, size.y, size.z});
+    const std::array<std::vector<std::uint32_t>, 3> steps = {
+        steps_along(positions, 0, reach), steps_along(positions, 1, reach), steps_along(positions, 2, reach)};
+    const auto place = [&](std::uint32_t i) { return std::tie(steps[0][i], steps[1][i], steps[2][i]); };
     std::vector<std::uint32_t> order(positions.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::iota(order.begin(), order.end(), 0u);
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        if (is_before(positions[a], positions[b])) return true;
-        return !is_before(positions[b], positions[a]) && a < b;
+        return place(a) != place(b) ? place(a) < place(b) : a < b;
     });
     std::vector<std::uint32_t> first(positions.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
-        const bool is_same = i > 0 && positions[order[i]] == positions[order[i - 1]];
+        const bool is_same = i > 0 && place(order[i]) == place(order[i - 1]);
         first[order[i]] = is_same ? first[order[i - 1]] : order[i];
     }
     return first;

@@ -52,7 +52,7 @@ Environment::Environment(Image picture) : picture_(std::move(picture)) {
 }
 
 Environment::Texel Environment::texel(const glm::vec3& direction) const {
-    const float across = det::atan2(direction.x, -direction.z) / kTwoPi + 0.5f;
+    const float across = det::atan2(direction.z, direction.x) / kTwoPi + 0.5f;
     const float down = det::acos(std::clamp(direction.y, -1.0f, 1.0f)) / kPi;
     const auto place = [](float u, int side) {
         return static_cast<std::size_t>(
@@ -94,8 +94,8 @@ Environment::Pick Environment::pick(const glm::vec2& u) const {
     const float cosine = top - down * solid_angle_[y] * static_cast<float>(width) / kTwoPi;
     const float sine = std::sqrt(std::max(0.0f, 1.0f - cosine * cosine));
     const glm::vec2 turn = circle_point((static_cast<float>(x) + across) / static_cast<float>(width));
-    // Longitude -pi at the left edge: x = sin, -z = cos.
-    const glm::vec3 direction(-turn.y * sine, cosine, turn.x * sine);
+    // Longitude -pi at the left edge: x = cos, z = sin.
+    const glm::vec3 direction(-turn.x * sine, cosine, -turn.y * sine);
     return {direction, picture_.pixels[y * width + x], texel_density(x, y)};
 }
 

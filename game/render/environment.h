@@ -1,5 +1,5 @@
 // render/environment.h - light from all around as a picture of all directions (longitude across, latitude down, +y at the
-// top, -z in the middle), and directions picked in proportion to how bright it is.
+// top, +x in the middle and -z left of it, as Blender has it), and directions picked in proportion to how bright it is.
 //
 // Memory    16 bytes a texel. Cost: made in O(texels); a look-up 0.1 us, picking 0.2 us.
 // Threads   immutable once made.

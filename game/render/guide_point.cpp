@@ -73,8 +73,9 @@ const GuideTriangle& GuideTriangles::of(const SceneView& view, const rc::Hit& hi
     triangle.instance = hit.instance;
     triangle.primitive = hit.primitive;
     triangle.material = &view.level.materials[material];
-    triangle.is_plain = is_plain(*triangle.material);
-    triangle.is_polished = is_polished_all_over(view, *triangle.material, hit.instance);
+    const bool is_painted = !mesh.colors.empty();  // corner by corner: the long way
+    triangle.is_plain = !is_painted && is_plain(*triangle.material);
+    triangle.is_polished = !is_painted && is_polished_all_over(view, *triangle.material, hit.instance);
     if (!triangle.is_plain && !triangle.is_polished) return triangle;
     triangle.is_textured = !mesh.uvs.empty() && view.prepared.material_textures[material].count > 0;
     const glm::mat3 to_world = linear_part(view.snapshot.scene->instance(hit.instance).world_from_instance);

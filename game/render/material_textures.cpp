@@ -12,6 +12,7 @@ MaterialTextures textures_of(const world::Material& material) {
     add(material.metallic_roughness_texture, Slot::MetallicRoughness);
     add(material.normal_texture, Slot::Normal);
     if (material.emission != glm::vec3(0.0f)) add(material.emission_texture, Slot::Emission);
+    if (material.transmission > 0.0f) add(material.transmission_texture, Slot::Transmission);
     if (!material.has_layers) return which;
     const world::Layers& layers = material.layers;
     add(layers.specular_texture, Slot::Specular);
@@ -21,6 +22,7 @@ MaterialTextures textures_of(const world::Material& material) {
     add(layers.sheen_color_texture, Slot::SheenColor);
     add(layers.sheen_roughness_texture, Slot::SheenRoughness);
     if (layers.anisotropy > 0.0f) add(layers.anisotropy_texture, Slot::Anisotropy);
+    if (layers.coat > 0.0f) add(layers.coat_normal_texture, Slot::CoatNormal);
     return which;
 }
 

@@ -25,7 +25,7 @@ constexpr std::array<const char*, kNeeds> kNames{
 void add_material(const world::Material& m, SceneNeeds& needs) {
     needs.add(Need::Textures, textures_of(m).count > 0);
     needs.add(Need::NormalMaps, m.normal_texture != world::kNoIndex);
-    const bool mirrors = m.metallic > 0.0f || (m.ior > 1.0f && m.specular > 0.0f);
+    const bool mirrors = m.metallic > 0.0f || (m.ior != 1.0f && m.specular > 0.0f);
     needs.add(Need::Gloss, mirrors);
     needs.add(Need::Mirrors, mirrors && m.roughness < kMirrorRoughness);
     needs.add(Need::Holes, m.alpha_mode != world::AlphaMode::Opaque);

@@ -32,6 +32,11 @@ glm::vec3 smooth_normal(const SceneView& view, const world::Mesh& mesh, const rc
     return unit_or(normal_to_world * local, geometric);
 }
 
+// -1 in a mirrored part, where left is right of what is ahead.
+float handedness_of(const glm::mat3& to_world) {
+    return glm::dot(glm::cross(to_world[0], to_world[1]), to_world[2]) < 0.0f ? -1.0f : 1.0f;
+}
+
 // The ways u and v grow along a surface of this normal; 0 where the mesh does not say.
 struct Tangents {
     glm::vec3 tangent{0.0f}, bitangent{0.0f};
@@ -53,14 +58,12 @@ Tangents tangents_at(const world::Mesh& mesh, const HitTriangle& corners, const 
         handedness = det < 0.0f ? 1.0f : -1.0f;  // v runs down, the map's green runs up
     }
     tangent = unit_or(tangent - smooth * glm::dot(tangent, smooth), glm::vec3(0.0f));
-    return {tangent, glm::cross(smooth, tangent) * handedness};
+    return {tangent, glm::cross(smooth, tangent) * (handedness * handedness_of(to_world))};
 }
 
 // Bends the smooth normal as the normal map says.
-glm::vec3 mapped_normal(const world::Material& material, const Tangents& along, const glm::vec3& smooth,
-                        const glm::vec4& texel) {
-    const float x = (texel.x * 2.0f - 1.0f) * material.normal_scale,
-                y = (texel.y * 2.0f - 1.0f) * material.normal_scale;
+glm::vec3 mapped_normal(float scale, const Tangents& along, const glm::vec3& smooth, const glm::vec4& texel) {
+    const float x = (texel.x * 2.0f - 1.0f) * scale, y = (texel.y * 2.0f - 1.0f) * scale;
     return unit_or(along.tangent * x + along.bitangent * y + smooth * (texel.z * 2.0f - 1.0f), smooth);
 }
 
@@ -87,6 +90,13 @@ void add_layers(const world::Material& material, const Tangents& along, const Te
     // Without a tangent there is no way to draw it out.
     point.drawn_out = unit_or(along.tangent * turned.x + along.bitangent * turned.y, glm::vec3(0.0f));
     if (point.drawn_out == glm::vec3(0.0f)) point.anisotropy = 0.0f;
+}
+
+// Between the corners' own colours.
+glm::vec4 color_at(const world::Mesh& mesh, const HitTriangle& corners) {
+    if (mesh.colors.empty()) return glm::vec4(1.0f);
+    return mesh.colors[corners.index.x] * corners.share[0] + mesh.colors[corners.index.y] * corners.share[1] +
+           mesh.colors[corners.index.z] * corners.share[2];
 }
 
 // A smooth normal may face away from the eye near a silhouette; there it is bent until it just does not.
@@ -157,21 +167,28 @@ void add_materials(const MetPlace& met, const TextureLookUps& looks, ShadingPoin
     for (std::uint32_t i = 0; met.has_uvs && i < met.textures->count; ++i)
         texels.values[static_cast<std::size_t>(met.textures->slots[i].slot)] =
             looks.value(met.first_look + i);
-    const glm::vec4 base = material.base_color * texels[Slot::BaseColor];
+    const glm::vec4 base = material.base_color * texels[Slot::BaseColor] * color_at(*met.mesh, met.corners);
     const glm::vec4 rough_metal = texels[Slot::MetallicRoughness];
     point.base_color = glm::vec3(base);
     point.alpha = base.w;
     point.roughness = material.roughness * rough_metal.y;
     point.metallic = material.metallic * rough_metal.z;
+    point.transmission = material.transmission * texels[Slot::Transmission].x;
     point.emission = material.emission * glm::vec3(texels[Slot::Emission]);
     point.specular = material.specular;
     glm::vec3 normal = met.normal;
     point.smooth = facing_eye(point.is_entering ? normal : -normal, -met.direction);
+    point.coat_normal = point.smooth;
     const bool has_map = material.normal_texture != world::kNoIndex && met.has_uvs;
     if (has_map || material.has_layers) {
         const Tangents along = tangents_at(*met.mesh, met.corners, met.to_world, normal);
         if (material.has_layers) add_layers(material, along, texels, point);
-        if (has_map) normal = mapped_normal(material, along, normal, texels[Slot::Normal]);
+        if (met.has_uvs && material.layers.coat_normal_texture != world::kNoIndex) {
+            const glm::vec3 coat =
+                mapped_normal(material.layers.coat_normal_scale, along, normal, texels[Slot::CoatNormal]);
+            point.coat_normal = facing_eye(point.is_entering ? coat : -coat, -met.direction);
+        }
+        if (has_map) normal = mapped_normal(material.normal_scale, along, normal, texels[Slot::Normal]);
     }
     point.normal = facing_eye(point.is_entering ? normal : -normal, -met.direction);
 }
@@ -249,7 +266,7 @@ Clearness clearness(const SceneView& view, const rc::Hit& hit) {
     result.outward =
         glm::dot(smooth, result.surface.normal) < 0.0f ? -result.surface.normal : result.surface.normal;
 
-    glm::vec4 base = material.base_color;
+    glm::vec4 base = material.base_color * color_at(mesh, corners);
     if (material.base_color_texture != world::kNoIndex && !mesh.uvs.empty()) {
         base *= view.prepared.textures[material.base_color_texture].at(
             place_of(material, world::TextureSlot::BaseColor, {corners.uv, {}}).uv);
@@ -258,6 +275,11 @@ Clearness clearness(const SceneView& view, const rc::Hit& hit) {
     if (material.alpha_mode == world::AlphaMode::Mask) covered = base.w < material.alpha_cutoff ? 0.0f : 1.0f;
     if (material.alpha_mode == world::AlphaMode::Blend) covered = std::clamp(base.w, 0.0f, 1.0f);
     result.glass = covered * material.transmission;
+    if (material.transmission_texture != world::kNoIndex && !mesh.uvs.empty()) {
+        result.glass *= view.prepared.textures[material.transmission_texture]
+                            .at(place_of(material, world::TextureSlot::Transmission, {corners.uv, {}}).uv)
+                            .x;
+    }
     result.glass_share = glm::vec3(base) * result.glass;
     result.share = glm::vec3(1.0f - covered) + result.glass_share;
     return result;

@@ -26,11 +26,13 @@ struct ShadingPoint {
     float alpha = 1.0f;
     float metallic = 0.0f;
     float roughness = 1.0f;
+    float transmission = 0.0f;
     glm::vec3 emission{0.0f};
     // KHR_materials_specular, _clearcoat, _sheen, _anisotropy; as if there was none unless the material has layers.
     float specular = 1.0f;
     glm::vec3 specular_color{1.0f};
     float coat = 0.0f, coat_roughness = 0.0f;
+    glm::vec3 coat_normal{0.0f};  // unit, as `normal`; only if there is a coat
     glm::vec3 sheen_color{0.0f};
     float sheen_roughness = 0.0f;
     float anisotropy = 0.0f;

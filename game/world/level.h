@@ -42,6 +42,7 @@ struct Mesh {
     std::vector<glm::vec3> normals;   // unit
     std::vector<glm::vec2> uvs;       // glTF: v runs down
     std::vector<glm::vec4> tangents;  // w: handedness
+    std::vector<glm::vec4> colors;    // linear, with alpha: times the material's
     std::vector<glm::uvec3> triangles;
     std::vector<std::uint32_t> materials;  // one a triangle
     std::vector<glm::u16vec4> joints;      // of the Model that wears this mesh
@@ -161,6 +162,7 @@ struct Viewpoint {  // a glTF camera
     std::string name;
     glm::vec3 position{0.0f};
     float yaw = 0.0f, pitch = 0.0f;
+    float roll = 0.0f;
     float fov_y = 1.0f;
 };
 

@@ -46,9 +46,17 @@ enum class TextureSlot : std::uint8_t {
     CoatRoughness,
     SheenColor,
     SheenRoughness,
-    Anisotropy
+    Anisotropy,
+    CoatNormal,
+    Transmission
 };
-inline constexpr std::size_t kTextureSlots = 11;
+inline constexpr std::size_t kTextureSlots = 13;
+
+// Colours are sRGB; all else is numbers.
+[[nodiscard]] constexpr bool holds_colors(TextureSlot slot) {
+    return slot == TextureSlot::BaseColor || slot == TextureSlot::Emission ||
+           slot == TextureSlot::SpecularColor || slot == TextureSlot::SheenColor;
+}
 
 // What few materials have: KHR_materials_specular's colour, _clearcoat, _sheen, _anisotropy.
 struct Layers {
@@ -66,6 +74,8 @@ struct Layers {
     std::uint32_t sheen_color_texture = kNoIndex;      // RGB
     std::uint32_t sheen_roughness_texture = kNoIndex;  // A
     std::uint32_t anisotropy_texture = kNoIndex;       // RG direction, B strength
+    std::uint32_t coat_normal_texture = kNoIndex;
+    float coat_normal_scale = 1.0f;
 };
 
 // glTF 2.0 metallic-roughness with transmission, ior, volume and emissive strength. Texture ids may be kNoIndex.
@@ -91,6 +101,7 @@ struct Material {
     std::uint32_t metallic_roughness_texture = kNoIndex;  // G roughness, B metallic
     std::uint32_t normal_texture = kNoIndex;
     std::uint32_t emission_texture = kNoIndex;
+    std::uint32_t transmission_texture = kNoIndex;  // R
     Layers layers;
     bool has_layers = false;  // something in `layers` is not as it is there
     // One a TextureSlot: where its texture is looked up, from the mesh's uv (columns u, v, offset). Empty: as it is.

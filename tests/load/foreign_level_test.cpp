@@ -89,6 +89,14 @@ TEST(ForeignLevel, GetsASunAndAPlaceToStand) {
     EXPECT_TRUE(level->guards.empty());
 }
 
+// Who brings a sky of his own is not to find a second sun in it.
+TEST(ForeignLevel, GetsNoSunWhereNoneIsWanted) {
+    const Result<world::Level> level = load::load_level_from_memory(
+        test::as_bytes(floor_gltf()), "floor.gltf", {}, {.finds_ways = false, .hangs_sun = false});
+    ASSERT_TRUE(level) << level.error().sentence;
+    EXPECT_TRUE(level->lamps.empty());
+}
+
 // Without its spawn, the tiny level's player must still begin on its floor, under its roof, clear of its
 // walls.
 TEST(ForeignLevel, BeginsIndoorsAndClearOfTheWalls) {

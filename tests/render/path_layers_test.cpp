@@ -29,7 +29,7 @@ Surface surface(const std::string& name, float metallic, float roughness) {
     Surface s;
     s.name = name;
     s.material.has_layers = true;
-    s.at.geometric = s.at.normal = s.at.smooth = {0, 0, 1};
+    s.at.geometric = s.at.normal = s.at.smooth = s.at.coat_normal = {0, 0, 1};
     s.at.base_color = glm::vec3(1.0f);
     s.at.metallic = metallic;
     s.at.roughness = roughness;

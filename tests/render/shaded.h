@@ -15,10 +15,11 @@ namespace gh::test {
 [[nodiscard]] inline render::ShadingPoint facing_z(const world::Material& material) {
     render::ShadingPoint at;
     at.material = &material;
-    at.geometric = at.normal = at.smooth = {0, 0, 1};
+    at.geometric = at.normal = at.smooth = at.coat_normal = {0, 0, 1};
     at.base_color = glm::vec3(material.base_color);
     at.metallic = material.metallic;
     at.roughness = material.roughness;
+    at.transmission = material.transmission;
     return at;
 }
 
