@@ -37,7 +37,8 @@ void GuidedPicture::add(const Image& radiance, const Jobs& jobs) {
                               .previous = guide_.previous,
                               .geometric = guide_.geometric,
                               .albedo = guide_.albedo,
-                              .clean = guide_.clean.pixels};
+                              .clean = guide_.clean.pixels,
+                              .outshone = guide_.outshone};
     upscaler_.add({radiance, shape_.step, offset_, guide, shape_.doubles}, jobs, picture_);
     has_picture_ = true;
 }

@@ -193,8 +193,8 @@ void View::expose_next(const render::SceneView& scene, const render::Camera& cam
         trace(scene, camera, settings, frame, true, jobs);
         return;
     }
-    settings.jitter =
-        guided_.begin(scene, camera, {.texture_taps = settings.texture_taps}, frame, shape, jobs);
+    const render::WhittedSettings looks{.texture_taps = settings.texture_taps, .guides_lamps = false};
+    settings.jitter = guided_.begin(scene, camera, looks, frame, shape, jobs);
     settings.texture_blur = GuidedPicture::texture_blur(shape);
     trace(scene, camera, settings, frame, false, jobs);
     guided_.add(film_.radiance, jobs);

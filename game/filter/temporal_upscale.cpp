@@ -2,6 +2,7 @@
 
 #include "base/contracts.h"
 #include "filter/bordered.h"
+#include "filter/lit_light.h"
 #include "filter/picture_past.h"
 #include "filter/rows.h"
 
@@ -61,7 +62,7 @@ void TemporalUpscaler::demodulate_row(const GuidedFrame& frame, int v) {
     for (int u = 0; u < frame.radiance.width; ++u) {
         const glm::vec3& radiance = frame.radiance.pixels[frame.radiance.index(u, v)];
         const std::size_t at = frame.index_of_lit(u, v);
-        const glm::vec3 light = (radiance - guide.clean[at]) / guide.albedo[at];
+        const glm::vec3 light = light_of_lit(frame, {u, v}, reach_);
         const bool is_known = is_finite(light) && is_finite(radiance);
         const bool is_sky = guide.part[at] == kNoSurface;
         lit_.light.set(u, v, is_known ? light : glm::vec3(0.0f));

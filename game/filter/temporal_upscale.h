@@ -49,6 +49,8 @@ struct Guide {
     std::span<const glm::vec3> albedo;     // above 0: what light is multiplied by there, about
     // What shines by itself, and what is known to be mirrored: that need not be right, since lit pixels say what is left.
     std::span<const glm::vec3> clean;
+    // Not 0 where a highlight in `clean` outshines all else: the light there is that beside it (lit_light.h). May be empty.
+    std::span<const std::uint8_t> outshone{};
 
     [[nodiscard]] std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);

@@ -65,6 +65,7 @@ struct GuidePlanes {
     std::vector<std::uint32_t> part;
     std::vector<glm::vec3> position, previous, geometric, albedo;
     Image clean;
+    std::vector<std::uint8_t> outshone;  // 1: a lamp's highlight is in `clean`, or would be if nothing were before it
 };
 
 struct Film {

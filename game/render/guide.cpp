@@ -28,7 +28,8 @@ class GuideTracer {
     explicit GuideTracer(const Frame& frame)
         : colors_(frame.settings.texture_taps), tracer_(frame), frame_(frame) {
         if (frame.view.last != nullptr)
-            gleams_.emplace(GleamTracer::World{frame.view, frame.light, frame.gloss});
+            gleams_.emplace(
+                GleamTracer::World{frame.view, frame.light, frame.gloss, frame.settings.guides_lamps});
     }
 
     void trace(int tile_x, int tile_y) {
@@ -100,6 +101,7 @@ class GuideTracer {
 void fit(GuidePlanes& planes, glm::ivec2 size) {
     const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     planes.part.resize(count);
+    planes.outshone.assign(count, 0);
     for (auto* plane : {&planes.position, &planes.previous, &planes.geometric, &planes.albedo})
         plane->resize(count);
     if (planes.clean.width != size.x || planes.clean.height != size.y) planes.clean = Image(size.x, size.y);

@@ -14,7 +14,7 @@
 namespace gh::render {
 
 // Fills `planes` for a picture of this size. Of the settings those count that say where rays go (jitter, max_depth,
-// min_weight) and how textures are looked up. The size must not be 0. Where the scene has a last picture `clean` holds what
+// min_weight), how textures are looked up, and whether lamps are mirrored. The size must not be 0. Where the scene has a last picture `clean` holds what
 // polished surfaces mirror as well (guide_gleams.h).
 void render_guide(const SceneView& scene, const Camera& camera, const WhittedSettings& settings,
                   glm::ivec2 size, const Jobs& jobs, GuidePlanes& planes);

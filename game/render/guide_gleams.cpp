@@ -21,8 +21,10 @@ namespace {
 
 constexpr float kFaintestHighlight = 3e-2f;  // W/m2/sr: highlights below are left to who lights few pixels,
 constexpr float kFaintestPolish =
-    0.055f;                          // and so is what is mirrored where no more of it than that is given back
-constexpr float kWideOfLamp = 0.3f;  // of its distance
+    0.055f;  // and so is what is mirrored where no more of it than that is given back
+constexpr float kOutshining =
+    0.5f;  // W/m2/sr: what a lit pixel says beneath such a highlight is that one's noise
+constexpr float kWideOfLamp = 0.3f;        // of its distance
 constexpr glm::vec3 kUnknownAlbedo(0.5f);  // of what is in a mirror or behind glass
 constexpr float kGrazing = 0.02f;          // least cosine between a smooth normal and the eye
 
@@ -72,13 +74,15 @@ void GleamTracer::add(const GuideTriangle& triangle, const rc::Ray& ray, const r
     if (is_metal)
         planes.clean.pixels[pixel] +=
             (polish.glossy - weight) * baked_reflection(world_.light.ambient, at.position, normal, mirrored);
+    if (!world_.guides_lamps) return;
     add_highlights(pixel, at, mirrored,
                    {normal, -ray.direction, polish.f0 * polish.shine, polish.f90 * polish.shine,
-                    material.roughness * material.roughness});
+                    material.roughness * material.roughness},
+                   planes.outshone[pixel]);
 }
 
 void GleamTracer::add_highlights(std::size_t pixel, const rc::SurfacePoint& at, const glm::vec3& mirrored,
-                                 const Gloss& gloss) {
+                                 const Gloss& gloss, std::uint8_t& outshone) {
     const Prepared& prepared = world_.view.prepared;
     for (const std::uint32_t id : prepared.lamp_lists.at(at.position)) {
         if (world_.light.lamp_on[id] == 0) continue;
@@ -95,6 +99,7 @@ void GleamTracer::add_highlights(std::size_t pixel, const rc::SurfacePoint& at, 
         if (!ray) continue;
         shadow_rays_.push_back(*ray);
         highlights_.push_back({light, pixel});
+        if (brightest(light) > kOutshining) outshone = 1;
     }
 }
 
@@ -104,6 +109,7 @@ bool GleamTracer::add_shining(const Gleam& gleam, const rc::Ray& ray, const rc::
     const GuideTriangle& triangle = triangles_.of(world_.view, hit);
     if (!triangle.is_plain || triangle.material->emission == glm::vec3(0.0f)) return false;
     const bool is_bulb = world_.view.prepared.parts[hit.instance].lamp != world::kNoIndex;
+    if (is_bulb && !world_.guides_lamps) return true;
     const float share = is_bulb ? gleam.bulb_share : 1.0f;
     colors_.add(world_.view, triangle, hit, {ray.direction, triangle.normal, 0.0f},
                 {&unused_, &planes.clean.pixels[gleam.pixel], gleam.weight * share});

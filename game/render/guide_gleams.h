@@ -5,6 +5,7 @@
 // enough to be spread: the guide need not be right, only sharp. Pixels whose mirrored ray met what the last picture did
 // not show are marked by another part number, so that none of these lends its light to one of the others. Metals show nothing
 // else, and are thin and bent: neighbours have little to lend, so what was out of sight is guessed there, and not marked.
+// Highlights that outshine what else is there are marked as well, each pixel by itself.
 //
 // Cost      a mirrored ray and, where a highlight lies, a shadow ray a polished pixel.
 // Same bits pure; what is added depends on the pixel alone.
@@ -31,6 +32,7 @@ class GleamTracer {
         const SceneView& view;
         const FrameLight& light;
         const GlossTable& gloss;
+        bool guides_lamps;  // as WhittedSettings has it
     };
     explicit GleamTracer(const World& world) : world_(world) {}
 
@@ -58,7 +60,7 @@ class GleamTracer {
         std::size_t pixel;
     };
     void add_highlights(std::size_t pixel, const rc::SurfacePoint& at, const glm::vec3& mirrored,
-                        const Gloss& gloss);
+                        const Gloss& gloss, std::uint8_t& outshone);
     // What is known of it; what is not is guessed or marks the pixel.
     void add_mirrored(const Gleam& gleam, const rc::Ray& ray, const rc::Hit& hit, GuidePlanes& planes);
     // If it shines by itself, that.

@@ -35,6 +35,9 @@ struct WhittedSettings {
     float texture_taps = 8.0f;         // at most, along the long side of a pixel's footprint
     // Of a pixel, what textures are blurred to: less than 1 for frames that are added up to a larger picture.
     float texture_blur = 1.0f;
+    // Of a guide alone: lamps in what polished surfaces mirror, bulbs and highlights (guide_gleams.h). Not for light that is
+    // found by chance, of which they would be taken off where it has them blurred, or not yet.
+    bool guides_lamps = true;
     bool uses_ambient = true;  // the baked indirect light
     // Neighbours in a 4x4 block look at different parts of a lamp and share what they saw where the surface goes on
     // (interleaved sampling with a discontinuity buffer; Keller and Heidrich 2001). Off: every pixel for itself.

@@ -38,10 +38,11 @@ Studio polished_room() {
     return studio;
 }
 
-render::GuidePlanes guide_of(const Studio& studio, const render::LastPicture* last, int threads = 1) {
+render::GuidePlanes guide_of(const Studio& studio, const render::LastPicture* last, int threads = 1,
+                             const render::WhittedSettings& settings = {}) {
     render::GuidePlanes planes;
-    render::render_guide({studio.level, studio.snapshot, studio.prepared, nullptr, last}, kAbove, {}, kSize,
-                         Jobs(threads), planes);
+    render::render_guide({studio.level, studio.snapshot, studio.prepared, nullptr, last}, kAbove, settings,
+                         kSize, Jobs(threads), planes);
     return planes;
 }
 
@@ -206,6 +207,33 @@ TEST(GuideGleams, HighlightsHaveShadows) {
             EXPECT_GT(brightest, 1.0f);
         }
     }
+}
+
+// Pixels under a bright highlight are marked, and no others; without lamps a guide shows the rest and marks none.
+TEST(GuideGleams, WhatHighlightsOutshineIsMarked) {
+    const Studio studio = polished_room();
+    const render::GuidePlanes before = guide_of(studio, nullptr);
+    const Image picture = filled(glm::vec3(0.0f));
+    const render::LastPicture last(picture, before, kSize);
+    const render::GuidePlanes with = guide_of(studio, &last);
+    const render::GuidePlanes without = guide_of(studio, &last, 1, {.guides_lamps = false});
+    int marked = 0;
+    for (std::size_t i = 0; i < with.part.size(); ++i) {
+        // Nothing but the lamp is bright here, and nothing stands before it.
+        const float highlight = with.clean.pixels[i].y - without.clean.pixels[i].y;
+        if (before.part[i] != 0) {
+            EXPECT_EQ(with.outshone[i], 0) << "not of the floor: " << i;
+            EXPECT_EQ(highlight, 0.0f) << i;
+            continue;
+        }
+        EXPECT_EQ(without.clean.pixels[i], glm::vec3(0.0f)) << i;
+        EXPECT_EQ(without.outshone[i], 0) << i;
+        if (highlight > 0.6f || highlight < 0.4f) {
+            EXPECT_EQ(with.outshone[i], highlight > 0.5f ? 1 : 0) << i;
+        }
+        marked += with.outshone[i];
+    }
+    EXPECT_GT(marked, 5);
 }
 
 TEST(GuideGleams, ThreadsDoNotMatter) {
