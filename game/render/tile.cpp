@@ -16,6 +16,7 @@ namespace gh::render {
 namespace {
 
 constexpr float kGlimmerTaps = 2.0f;
+constexpr std::size_t kIndicesAhead = 32, kCornersAhead = 20;  // hits whose memory is asked for
 
 }  // namespace
 
@@ -123,19 +124,44 @@ void TileTracer::trace_generation() {
 
 // What rays of now_ met, and the shadows there; now_ is then what came of them.
 void TileTracer::shade_generation(FrameStats& stats) {
-    for (std::size_t i = 0; i < now_.size(); ++i) {
-        if (hits_[i].is_miss()) {
-            shade_miss(now_[i]);
-        } else {
-            shade(now_[i], hits_[i], stats);
-        }
-    }
+    for (std::size_t i = 0; i < now_.size(); i += kPatches)
+        shade_together(i, std::min(i + kPatches, now_.size()), stats);
     trace_shadows(stats);
     now_.swap(next_);
     next_.clear();
     if (frame_.guide == nullptr) return;
     colors_.flush();
     std::erase_if(now_, [](const PathRay& path) { return !path.is_leading; });
+}
+
+// What rays `begin` to `end` met: their textures are looked up side by side, each finds its memory on its way.
+void TileTracer::shade_together(std::size_t begin, std::size_t end, FrameStats& stats) {
+    std::array<PointAsked, kPatches> asked;
+    std::array<ShadingPoint, kPatches> points;
+    std::array<bool, kPatches> is_noted{};
+    const float taps = frame_.settings.texture_taps;
+    std::size_t count = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+        if (i + kIndicesAhead < hits_.size()) fetch_indices(frame_.view, hits_[i + kIndicesAhead]);
+        if (i + kCornersAhead < hits_.size()) fetch_corners(frame_.view, hits_[i + kCornersAhead]);
+        PathRay& path = now_[i];
+        const rc::Hit& hit = hits_[i];
+        if (hit.is_miss()) continue;
+        path.cone_width += path.cone_angle * hit.t;
+        path.length += hit.t;
+        is_noted[i - begin] = frame_.guide != nullptr && note_plain(path, hit);
+        if (is_noted[i - begin]) continue;
+        asked[count++] = {&path.ray, &hit, path.cone_width * frame_.settings.texture_blur,
+                          path.is_leading ? taps : std::min(kGlimmerTaps, taps)};
+    }
+    shading_points(frame_.view, std::span(asked).first(count), std::span(points).first(count));
+    for (std::size_t i = begin, met = 0; i < end; ++i) {
+        if (hits_[i].is_miss()) {
+            shade_miss(now_[i]);
+        } else if (!is_noted[i - begin]) {
+            shade(now_[i], hits_[i], points[met++], stats);
+        }
+    }
 }
 
 void TileTracer::trace_shadows(FrameStats& stats) {
@@ -158,14 +184,7 @@ void TileTracer::shade_miss(const PathRay& path) {
         path.weight * sky_radiance(frame_.light.sun, path.ray.direction);
 }
 
-void TileTracer::shade(PathRay path, const rc::Hit& hit, FrameStats& stats) {
-    path.cone_width += path.cone_angle * hit.t;
-    path.length += hit.t;
-    if (frame_.guide != nullptr && note_plain(path, hit)) return;
-    const ShadingPoint at =
-        shading_point(frame_.view, path.ray, hit, path.cone_width * frame_.settings.texture_blur,
-                      path.is_leading ? frame_.settings.texture_taps
-                                      : std::min(kGlimmerTaps, frame_.settings.texture_taps));
+void TileTracer::shade(PathRay& path, const rc::Hit& hit, const ShadingPoint& at, FrameStats& stats) {
     if (const world::Material* glass = path.media.top(); glass != nullptr) {
         path.weight *= absorbed(*glass, glm::distance(path.from, at.surface.position));
     }

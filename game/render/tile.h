@@ -90,7 +90,8 @@ class TileTracer {
     void shade_generation(FrameStats& stats);
     void trace_shadows(FrameStats& stats);
     void shade_miss(const PathRay& path);
-    void shade(PathRay path, const rc::Hit& hit, FrameStats& stats);
+    void shade_together(std::size_t begin, std::size_t end, FrameStats& stats);
+    void shade(PathRay& path, const rc::Hit& hit, const ShadingPoint& at, FrameStats& stats);
     [[nodiscard]] bool pass_through_hole(PathRay& path, const ShadingPoint& at, FrameStats& stats);
     // tile_glass.cpp, tile_opaque.cpp: what becomes of one at a surface.
     void shade_glass(const PathRay& path, const ShadingPoint& at, FrameStats& stats);
