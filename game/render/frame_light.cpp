@@ -19,6 +19,7 @@ FrameLight frame_light(const SceneView& view, bool uses_ambient) {
         const bool is_on = world::is_lamp_on(view.level, view.snapshot.state, i);
         light.lamp_on.push_back(is_on ? 1 : 0);
         light.reaches.push_back(lamp_reach(view.level.lamps[i]));
+        light.lamps.push_back(lamp_numbers(view.level.lamps[i], light.reaches.back()));
         if (is_on && view.level.lamps[i].shape == world::LampShape::Sun)
             light.sun += view.level.lamps[i].intensity;
     }

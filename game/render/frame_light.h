@@ -3,6 +3,7 @@
 
 #include "render/ambient.h"
 #include "render/lamp_bounds.h"
+#include "render/lamp_light.h"
 #include "render/scene_view.h"
 
 #include <glm/vec3.hpp>
@@ -17,6 +18,7 @@ struct FrameLight {
     std::vector<std::uint8_t> emission_on;  // one a part
     glm::vec3 sun{0.0f};  // all suns that are on, W/m2 across their directions: what lights the sky
     std::vector<LampReach> reaches;  // one a lamp
+    std::vector<LampNumbers> lamps;  // one a lamp
     AmbientLight ambient;
 };
 

@@ -100,8 +100,7 @@ std::vector<float> widened(const Grid& grid, const std::vector<float>& open) {
 
 }  // namespace
 
-LampLists::Near LampLists::near(const glm::vec3& position) const {
-    const std::size_t cell = grid.cell_index(grid.cell_at(position));
+LampLists::Near LampLists::of_cell(std::size_t cell) const {
     const std::size_t first = begin[cell], count = begin[cell + 1] - first;
     return {std::span(lamps).subspan(first, count), std::span(open).subspan(first, count)};
 }

@@ -28,7 +28,10 @@ struct LampLists {
         std::span<const std::uint32_t> lamps;
         std::span<const float> open;
     };
-    [[nodiscard]] Near near(const glm::vec3& position) const;
+    [[nodiscard]] Near of_cell(std::size_t cell) const;
+    [[nodiscard]] Near near(const glm::vec3& position) const {
+        return of_cell(grid.cell_index(grid.cell_at(position)));
+    }
     [[nodiscard]] std::span<const std::uint32_t> at(const glm::vec3& position) const {
         return near(position).lamps;
     }

@@ -126,6 +126,7 @@ void TileTracer::trace_generation() {
 void TileTracer::shade_generation(FrameStats& stats) {
     for (std::size_t i = 0; i < now_.size(); i += kPatches)
         shade_together(i, std::min(i + kPatches, now_.size()), stats);
+    light_glimmers();
     trace_shadows(stats);
     now_.swap(next_);
     next_.clear();
@@ -180,8 +181,7 @@ void TileTracer::trace_shadows(FrameStats& stats) {
 }
 
 void TileTracer::shade_miss(const PathRay& path) {
-    light_of(path.pixel, visible_share(path)) +=
-        path.weight * sky_radiance(frame_.light.sun, path.ray.direction);
+    shine(path, path.weight * sky_radiance(frame_.light.sun, path.ray.direction));
 }
 
 void TileTracer::shade(PathRay& path, const rc::Hit& hit, const ShadingPoint& at, FrameStats& stats) {
@@ -193,8 +193,7 @@ void TileTracer::shade(PathRay& path, const rc::Hit& hit, const ShadingPoint& at
 
     if (frame_.light.emission_on[at.part] != 0) {
         const bool is_bulb = frame_.view.prepared.parts[at.part].lamp != world::kNoIndex;
-        light_of(path.pixel, visible_share(path)) +=
-            path.weight * at.emission * (is_bulb ? path.bulb_share : 1.0f);
+        shine(path, path.weight * at.emission * (is_bulb ? path.bulb_share : 1.0f));
     }
     const float clear = at.material->transmission * (1.0f - at.metallic);
     if (clear > 0.0f) {

@@ -9,6 +9,7 @@
 #include "render/guide_colors.h"
 #include "render/guide_point.h"
 #include "render/lamp_looks.h"
+#include "render/lamps_together.h"
 #include "render/lattice.h"
 #include "render/main_surfaces.h"
 #include "render/path_ray.h"
@@ -71,6 +72,13 @@ class TileTracer {
         // What it is expected to bring.
         [[nodiscard]] float expected() const;
     };
+    // Light that is seen as it is.
+    struct Glow {
+        glm::vec3 light;
+        std::uint16_t pixel;
+        Share share;
+        std::size_t after;  // so many surfaces of glimmers_
+    };
     // The main surfaces of the pixels around one that were visited in earlier passes and are of its kind.
     struct Corners {
         std::uint16_t centre = 0;
@@ -97,8 +105,12 @@ class TileTracer {
     void shade_glass(const PathRay& path, const ShadingPoint& at, FrameStats& stats);
     void shade_opaque(const PathRay& path, const ShadingPoint& at, const rc::Hit& hit, FrameStats& stats);
     // tile_light.cpp: what reaches a surface, into arrivals_.
-    [[nodiscard]] SurfaceLight collect_light(const SeenSurface& surface);
-    void collect_lamps(const SeenSurface& surface, SurfaceLight& light);
+    [[nodiscard]] SurfaceLight collect_light(const SeenSurface& surface, std::size_t i);
+    // Of the surfaces of lit_: visit(number, i), when it is the i-th that lamps_ was asked for.
+    template <class Visit>
+    void visit_lit(Visit visit);
+    void light_glimmers();
+    void shine(const PathRay& path, const glm::vec3& light);
     void collect_ambient(const SeenSurface& surface, SurfaceLight& light);
     // tile_shadow.cpp: which of it is worth a shadow ray.
     void ask_for_all(const SeenSurface& surface);
@@ -150,6 +162,10 @@ class TileTracer {
     std::vector<PathRay> now_, next_;
     std::vector<rc::Ray> rays_;
     std::vector<rc::Hit> hits_;
+    std::vector<SeenSurface> glimmers_;  // of this generation: surfaces beside the main ones
+    std::vector<Glow> glows_;
+    std::vector<const SeenSurface*> lit_;
+    LampsTogether lamps_;
     std::vector<Arrival> arrivals_;
     std::vector<rc::Ray> shadow_rays_;
     std::vector<Shadow> shadows_;

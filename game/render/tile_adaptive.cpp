@@ -29,10 +29,12 @@ void TileTracer::light_main_surfaces(FrameStats& stats) {
 void TileTracer::light_pass(int pass, FrameStats& stats) {
     visit_pass(pass, [this](const Corners& corners) { return is_blended(corners); });
     const bool speaks_for_many = pass + 1 < kLatticePasses;
-    for (const std::uint16_t i : not_blended_) {
-        main_.lights[i] = collect_light(main_.surfaces[i]);
-        ask_for_shares(main_.surfaces[i], speaks_for_many);
-    }
+    lit_.clear();
+    for (const std::uint16_t i : not_blended_) lit_.push_back(&main_.surfaces[i]);
+    visit_lit([&](std::size_t number, std::size_t i) {
+        main_.lights[not_blended_[number]] = collect_light(*lit_[number], i);
+        ask_for_shares(*lit_[number], speaks_for_many);
+    });
     stats.lit_pixels += not_blended_.size();
     trace_shadows(stats);
     for (const std::uint16_t i : not_blended_) {

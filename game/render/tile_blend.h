@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <span>
 
 namespace gh::render {
 
@@ -20,6 +21,15 @@ namespace gh::render {
 [[nodiscard]] inline bool is_alike(float least, float most, float beside, float contrast) {
     constexpr float kUnseen = 2e-3f;
     return most - least <= std::max(contrast * (0.5f * (least + most) + beside), kUnseen);
+}
+
+template <class Visit>
+void TileTracer::visit_lit(Visit visit) {
+    for (std::size_t first = 0; first < lit_.size(); first += kLitTogether) {
+        const std::span some = std::span(lit_).subspan(first, std::min(kLitTogether, lit_.size() - first));
+        lamps_.ask(frame_.view, frame_.light, some);
+        for (std::size_t i = 0; i < some.size(); ++i) visit(first + i, i);
+    }
 }
 
 template <class Blend>

@@ -61,14 +61,7 @@ void TileTracer::shade_opaque(const PathRay& path, const ShadingPoint& at, const
         main_.add(surface);
         return;  // lit, and its mirrored ray sent, once its neighbours are known
     }
-    if (frame_.guide == nullptr) {
-        (void)collect_light(surface);
-        if (frame_.settings.shares_samples) {
-            ask_for_brightest(surface);
-        } else {
-            ask_for_all(surface);
-        }
-    }
+    if (frame_.guide == nullptr) glimmers_.push_back(surface);
     if (ray_share > 0.0f) {
         next_.push_back(mirrored_ray(surface));
         next_.back().is_leading = path.is_leading && is_mirror;
