@@ -1,7 +1,6 @@
 // render/lamp_light.h - what one lamp does at sixteen surfaces side by side, if nothing stands in the way: lamp.h's
 // irradiance and highlight, left out by lamp_bounds.h where neither is to be seen.
 //
-// Cost      6 to 12 ns a surface and lamp where all of them see it, a tenth of lamp.h's.
 // Same bits a surface's answer depends on it and the lamp alone; for every instruction set what lamp.h gives.
 // Threads   pure.
 #pragma once
