@@ -195,7 +195,7 @@ void TileTracer::shade(PathRay& path, const rc::Hit& hit, const ShadingPoint& at
         const bool is_bulb = frame_.view.prepared.parts[at.part].lamp != world::kNoIndex;
         shine(path, path.weight * at.emission * (is_bulb ? path.bulb_share : 1.0f));
     }
-    const float clear = at.material->transmission * (1.0f - at.metallic);
+    const float clear = at.transmission * (1.0f - at.metallic);
     if (clear > 0.0f) {
         PathRay part = path;
         part.weight *= clear;

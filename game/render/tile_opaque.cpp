@@ -20,18 +20,29 @@ float worth(float weight, float least) {
     return std::clamp(weight / least - 1.0f, 0.0f, 1.0f);
 }
 
+// What paint gives back of what its gloss lets in. Half a metal is metal on half of the surface: paint is dimmed by its own
+// gloss alone.
+float paint_share(const GlossTable& gloss, const ShadingPoint& at, const glm::vec3& paint_f0,
+                  const Polish& polish, float cos_eye) {
+    if (!(at.metallic < 1.0f)) return 0.0f;
+    const glm::vec3 mirrored = at.metallic > 0.0f
+                                   ? gloss.albedo(paint_f0, grazing_share(paint_f0), cos_eye, at.roughness)
+                                   : polish.glossy;
+    return (1.0f - at.metallic) * (1.0f - brightest(mirrored));
+}
+
 }  // namespace
 
 void TileTracer::shade_opaque(const PathRay& path, const ShadingPoint& at, const rc::Hit& hit,
                               FrameStats& stats) {
     const glm::vec3 to_eye = -path.ray.direction;
     const float cos_eye = glm::dot(at.normal, to_eye);
-    const glm::vec3 f0 = glm::mix(
-        glm::min(at.specular_color * reflectance_head_on(at.material->ior), glm::vec3(1.0f)) * at.specular,
-        at.base_color, at.metallic);
+    const glm::vec3 paint_f0 =
+        glm::min(at.specular_color * reflectance_head_on(at.material->ior), glm::vec3(1.0f)) * at.specular;
+    const glm::vec3 f0 = glm::mix(paint_f0, at.base_color, at.metallic);
     const Polish polish = polish_of(frame_.gloss, f0, at.metallic, at.roughness, cos_eye);
     const glm::vec3& glossy = polish.glossy;
-    const glm::vec3 diffuse = at.base_color * ((1.0f - at.metallic) * (1.0f - brightest(glossy)));
+    const glm::vec3 diffuse = at.base_color * paint_share(frame_.gloss, at, paint_f0, polish, cos_eye);
 
     const float ray_share =
         path.depth < frame_.settings.max_depth
