@@ -3,6 +3,7 @@
 Keys and mouse come from xdotool, pictures from ImageMagick's import; screenshots stay in the folder given, to be looked at.
 """
 
+import glob
 import os
 import shutil
 import subprocess
@@ -55,9 +56,28 @@ class Desk:
     def xdotool(self, *words):
         return subprocess.run(["xdotool", *words], env=self.env, capture_output=True, text=True)
 
+    def share_of_processors(self):
+        """(seconds that the game's threads ran, seconds that they stood ready but others ran) so far; zeros if nobody says."""
+        ran = waited = 0
+        for path in glob.glob(f"/proc/{self.game.pid}/task/*/schedstat"):
+            try:
+                with open(path) as schedstat:
+                    ran_ns, waited_ns = schedstat.read().split()[:2]
+            except OSError:  # a thread that has just ended
+                continue
+            ran, waited = ran + int(ran_ns) * 1e-9, waited + int(waited_ns) * 1e-9
+        return ran, waited
+
     def let_pass(self, seconds):
-        """So much time as the game has for itself: more where others want the processors, too."""
-        time.sleep(seconds * max(1.0, os.getloadavg()[0] / os.cpu_count()))
+        """So much time as the game has for itself: time goes slower where others take more than half of what it wants."""
+        ran, waited = self.share_of_processors()
+        while seconds > 0:
+            time.sleep(min(seconds, 0.25))
+            ran_by_now, waited_by_now = self.share_of_processors()
+            wanted = (ran_by_now - ran) + (waited_by_now - waited)
+            share = (ran_by_now - ran) / wanted if wanted > 0 else 1.0
+            seconds -= 0.25 * min(1.0, max(2.0 * share, 0.1))
+            ran, waited = ran_by_now, waited_by_now
 
     def hold(self, key, seconds):
         """A press that lasts longer than one slow frame."""
